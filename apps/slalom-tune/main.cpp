@@ -6,7 +6,9 @@
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
+#include <slalom/ros_parameters/resolve.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -15,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kCertificate[] = "tuned.json", kIni[] = "tuned.ini", kPage[] = "tuned.html";
+constexpr char kCertificate[] = "tuned.json", kIni[] = "tuned.ini", kPage[] = "tuned.html",
+               kYaml[] = "tuned.yaml", kDiff[] = "tuned.diff";
 
 struct TuneArguments {
   AskArguments ask;
@@ -58,6 +61,43 @@ std::string tuned_ini(const Json& certificate) {
   return ini.canonical_text();
 }
 
+/// The recommended options as parameters of Nav2 or move_base, if the method has a file of these:
+/// its diff and, if it is one file, the file. What cannot be written is named.
+void write_parameters(const CampaignArguments& campaign, const Json& certificate,
+                      const fs::path& folder) {
+  IniFile ini = IniFile::load(campaign.config);
+  for (const std::string& assignment : campaign.overrides) ini.override_key(assignment);
+  const auto method = certificate.at("question").at("method").get<std::string>();
+  const Json& answer = certificate.at("answer");
+  if (!ini.get("method." + method, "from")) return;
+  for (const auto& [key, value] : answer.at("recommendation").items())
+    if (value != answer.at("default").at(key))
+      set_method_option(ini, method, key, value.get<std::string>());
+  std::vector<RosParameterReport> reports = resolve_ros_parameters(ini);
+  reports.erase(std::remove_if(reports.begin(), reports.end(),
+                               [&](const RosParameterReport& report) {
+                                 return report.section != "method." + method;
+                               }),
+                reports.end());
+  for (const RosParameterReport& report : reports) {
+    for (const std::string& parameter : report.not_in_file)
+      print_notice("not in " + report.source + ": " + parameter);
+    for (const std::string& key : report.no_way_back)
+      if (answer.at("recommendation").contains(key))
+        print_notice("no parameter of " + report.source + " is " + key + " = " +
+                     answer.at("recommendation").at(key).get<std::string>());
+  }
+  const std::vector<EditedRosParameters> edited = edit_ros_parameters(reports);
+  if (edited.empty()) return;
+  write_file_atomically((folder / kDiff).string(), ros_parameter_diff(reports));
+  std::cout << (folder / kDiff).string();
+  if (edited.size() == 1) {
+    write_file_atomically((folder / kYaml).string(), edited.front().text);
+    std::cout << ", " << (folder / kYaml).string();
+  }
+  std::cout << "\n";
+}
+
 void tune(TuneArguments& arguments) {
   IniFile ini = load_campaign_ini(arguments.ask.campaign);
   const fs::path folder(arguments.folder);
@@ -77,6 +117,7 @@ void tune(TuneArguments& arguments) {
               << " beside this folder used, too: the confidence is that of one claim\n";
   std::cout << (folder / kIni).string() << ", " << path << ", " << (folder / kPage).string()
             << "\n";
+  write_parameters(arguments.ask.campaign, answer.certificate, folder);
   require_enough(asked, answer);
 }
 
@@ -84,9 +125,11 @@ void define(CLI::App& app) {
   static TuneArguments arguments;
   arguments.ask.question = make_question("tune");
   add_question_options(app, arguments.ask);
-  app.add_option("-o,--output", arguments.folder,
-                 "Folder for tuned.ini, tuned.json and tuned.html; the same command continues a "
-                 "search that was interrupted")
+  app.add_option(
+         "-o,--output", arguments.folder,
+         "Folder for tuned.ini, tuned.json and tuned.html, and tuned.yaml and tuned.diff if the "
+         "method has parameters of Nav2 or move_base; the same command continues a search "
+         "that was interrupted")
       ->required();
   app.callback([] { tune(arguments); });
 }

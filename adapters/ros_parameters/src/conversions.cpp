@@ -5,6 +5,8 @@
 #include <slalom/core/text.h>
 #include <slalom/robot/footprint.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -119,13 +121,37 @@ Result whole(const RosParameter& p, const RosContext&) {
   return format_number(value);
 }
 
-Result inverse(RosConversion conversion, const std::string& value) {
-  double converted = 0;
-  if (conversion == flag) return value;
-  if (!parse_number(value, converted)) return std::nullopt;
-  if (conversion == half) return format_number(2 * converted);
-  const bool is_same = conversion == number || conversion == whole || conversion == largest;
-  return is_same ? Result(format_number(converted)) : std::nullopt;
+bool same_value(const std::string& a, const std::string& b) {
+  double x = 0, y = 0;
+  return a == b ||
+         (parse_number(a, x) && parse_number(b, y) && std::abs(x - y) <= 1e-9 * std::abs(x));
+}
+
+Result inverse(RosConversion conversion, const RosParameter& p, const RosContext& c,
+               const std::string& value) {
+  std::vector<std::string> texts = {value};
+  if (double number = 0; parse_number(value, number)) {
+    texts[0] = format_number(number);
+    for (const double other : {2 * number, number + c.inscribed_radius})
+      texts.push_back(fmt::format("{:.12g}", other));
+  }
+  std::vector<RosParameter> siblings;
+  for (const RosParameter& one : c.siblings)
+    if (one.where != p.where) siblings.push_back(one);
+  for (const std::string& text : texts) {
+    RosParameter changed = p;
+    changed.text = text;
+    changed.items.reset();
+    siblings.push_back(changed);
+    try {
+      const Result back = conversion(changed, {siblings, c.control_period, c.inscribed_radius});
+      if (back && same_value(*back, value)) return text;
+    } catch (const Error&) {
+      // No value of this parameter.
+    }
+    siblings.pop_back();
+  }
+  return std::nullopt;
 }
 
 Result flag(const RosParameter& p, const RosContext&) {

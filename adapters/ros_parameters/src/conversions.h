@@ -40,8 +40,13 @@ Result mppi_kinematics(const RosParameter& p, const RosContext& c);
 Result mppi_turning_radius(const RosParameter& p, const RosContext& c);
 Result path_per_goal_weight(const RosParameter& p, const RosContext& c);
 
-/// The value of ROS for a value of an .ini; none for conversions that have no inverse.
-Result inverse(RosConversion conversion, const std::string& value);
+/// Whether both are the same text or number.
+bool same_value(const std::string& a, const std::string& b);
+
+/// The value of a parameter, in the place of `p`, that is converted to `value`; none if there is
+/// none, or none that is the value itself, its double or, of a distance, with the radius added.
+Result inverse(RosConversion conversion, const RosParameter& p, const RosContext& c,
+               const std::string& value);
 
 /// The text of a parameter; throws for a list and for a substitution of a launch file.
 std::string scalar(const RosParameter& p, const std::string& expected);

@@ -174,13 +174,12 @@ class SectionResolver {
   }
 
   void convert_all() {
-    const double period = read_options<SimulationOptions>(ini_, "simulation").control_period;
-    const double radius =
-        section_ == "robot" ? 0 : read_robot_model(ini_).shape().inscribed_radius();
+    control_period_ = read_options<SimulationOptions>(ini_, "simulation").control_period;
+    radius_ = section_ == "robot" ? 0 : read_robot_model(ini_).shape().inscribed_radius();
     for (const std::string& key : ini_.keys(section_)) given_.insert(key);
     for (const Part& part : parts_)
       for (const RosParameter& parameter : part.parameters)
-        convert(part, parameter, {part.parameters, period, radius});
+        convert(part, parameter, {part.parameters, control_period_, radius_});
     list_not_in_file();
   }
 
@@ -200,7 +199,7 @@ class SectionResolver {
       if (row->section == kind_) {
         has_target = true;
         if (part.family == RosFamily::VelocitySmoother && set_.count(row->target) > 0) continue;
-        set(*row, parameter, name, row->convert(parameter, context));
+        set(*row, parameter, context, name, row->convert(parameter, context));
       } else if (*row->section == '\0') {
         reason = row->note;
       }
@@ -218,12 +217,15 @@ class SectionResolver {
            (is_shape && given_.count("radius") + given_.count("footprint") > 0);
   }
 
-  void add_edit(const RosMapping& row, const RosParameter& parameter,
+  void add_edit(const RosMapping& row, const RosParameter& parameter, const RosContext& context,
                 const std::string& converted) {
     found_.insert(row.target);
     const std::string given = ini_.get(section_, row.target).value_or("");
-    const auto text = ros::inverse(row.convert, given);
-    if (text && text != ros::inverse(row.convert, converted))
+    if (ros::same_value(given, converted)) return;
+    const auto text = ros::inverse(row.convert, parameter, context, given);
+    if (!text && !contains(report_.no_way_back, row.target))
+      report_.no_way_back.emplace_back(row.target);
+    if (text)
       report_.edits.push_back(
           {parameter.file, parameter.line, parameter.column, parameter.text, *text});
   }
@@ -232,27 +234,30 @@ class SectionResolver {
   void list_not_in_file() {
     for (const std::string& key : given_) {
       if (found_.count(key) > 0) continue;
-      for (const Part& part : parts_) {
-        const std::string name = name_of(part.family, key);
-        if (name.empty()) continue;
-        report_.not_in_file.push_back(part.name + "." + name);
-        break;
-      }
+      std::string name;
+      for (const Part& part : parts_)
+        if (name.empty()) name = name_of(part, key);
+      if (name.empty() && key != "adapter" && key != "plugin") report_.no_way_back.push_back(key);
+      if (!name.empty()) report_.not_in_file.push_back(name);
     }
   }
 
-  /// "sim_time: 2" for a key of the .ini that is a parameter of the family, else "".
-  std::string name_of(RosFamily family, const std::string& key) const {
+  /// "FollowPath.sim_time: 2" for a key of the .ini that is a parameter of the part, else "".
+  std::string name_of(const Part& part, const std::string& key) const {
     for (const RosMapping& row : ros_parameter_table()) {
-      if (row.family != family || row.section != kind_ || row.target != key) continue;
-      const auto text = ros::inverse(row.convert, ini_.get(section_, key).value_or(""));
-      if (text && !starts_with(row.key, "*")) return row.key + (": " + *text);
+      if (row.family != part.family || row.section != kind_ || row.target != key) continue;
+      RosParameter parameter;
+      parameter.key = row.key;
+      const auto text =
+          ros::inverse(row.convert, parameter, {part.parameters, control_period_, radius_},
+                       ini_.get(section_, key).value_or(""));
+      if (text && !starts_with(row.key, "*")) return part.name + "." + row.key + ": " + *text;
     }
     return "";
   }
 
-  void set(const RosMapping& row, const RosParameter& parameter, const std::string& name,
-           const std::optional<std::string>& value) {
+  void set(const RosMapping& row, const RosParameter& parameter, const RosContext& context,
+           const std::string& name, const std::optional<std::string>& value) {
     const std::string text =
         parameter.items ? "[" + join(*parameter.items, ", ") + "]" : parameter.text;
     const RosParameterReport::Line line{name + " = " + text,
@@ -260,7 +265,7 @@ class SectionResolver {
     if (!value) {
       report_.without_counterpart.push_back({line.parameter, row.note});
     } else if (is_given(row.target)) {
-      add_edit(row, parameter, *value);
+      add_edit(row, parameter, context, *value);
       report_.overridden.push_back(
           {line.parameter,
            row.target + (" = " + ini_.get(section_, row.target).value_or("")) + " in the .ini"});
@@ -284,6 +289,7 @@ class SectionResolver {
   std::vector<std::string> controllers_;  // of the files
   std::vector<Part> parts_;
   std::set<std::string> given_, set_, found_;  // keys of the .ini: its own, new, in the files
+  double control_period_ = 0, radius_ = 0;     // s, m: of the campaign
   RosParameterReport report_;
 };
 
@@ -295,6 +301,8 @@ std::string lines_of(const std::string& title, const std::vector<RosParameterRep
   return text;
 }
 
+constexpr char kNoLineBreak[] = "\n\\ No newline at end of file";
+
 /// The lines of a file; a last one without a line break is followed by what diffs say of it.
 std::vector<std::string> lines_of_file(const std::string& path) {
   const std::string text =
@@ -302,7 +310,7 @@ std::vector<std::string> lines_of_file(const std::string& path) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  if (!lines.empty() && text.back() != '\n') lines.back() += "\n\\ No newline at end of file";
+  if (!lines.empty() && text.back() != '\n') lines.back() += kNoLineBreak;
   return lines;
 }
 
@@ -361,7 +369,8 @@ std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini) {
   return reports;
 }
 
-std::string ros_parameter_diff(const std::vector<RosParameterReport>& reports) {
+std::vector<EditedRosParameters> edit_ros_parameters(
+    const std::vector<RosParameterReport>& reports) {
   using Edit = RosParameterReport::Edit;
   std::map<std::string, std::map<std::pair<int, int>, Edit>> files;  // by line, last column first
   for (const RosParameterReport& report : reports)
@@ -373,9 +382,9 @@ std::string ros_parameter_diff(const std::vector<RosParameterReport>& reports) {
             "sections have different values, " + known->second.new_text + " and " + edit.new_text,
             "the same value in all sections of the .ini");
     }
-  std::string text;
+  std::vector<EditedRosParameters> edited;
   for (const auto& [file, edits] : files) {
-    const std::vector<std::string> lines = lines_of_file(file);
+    std::vector<std::string> lines = lines_of_file(file);
     std::map<int, std::string> changed;
     for (const auto& [position, edit] : edits) {
       const auto line = static_cast<std::size_t>(edit.line);
@@ -383,13 +392,23 @@ std::string ros_parameter_diff(const std::vector<RosParameterReport>& reports) {
           changed.try_emplace(edit.line, line < lines.size() ? lines[line] : "").first->second;
       replace_value(edit, written);
     }
-    text += "--- " + file + "\n+++ " + file + "\n";
+    std::string diff = "--- " + file + "\n+++ " + file + "\n";
     for (const auto& [line, written] : changed) {
       const std::string number = std::to_string(line + 1);
-      text += "@@ -" + number + " +" + number + " @@\n-" + lines[static_cast<std::size_t>(line)] +
-              "\n+" + written + "\n";
+      std::string& old = lines[static_cast<std::size_t>(line)];
+      diff += "@@ -" + number + " +" + number + " @@\n-" + old + "\n+" + written + "\n";
+      old = written;
     }
+    std::string text;
+    for (const std::string& line : lines) text += line.substr(0, line.find(kNoLineBreak)) + "\n";
+    edited.push_back({file, std::move(text), std::move(diff)});
   }
+  return edited;
+}
+
+std::string ros_parameter_diff(const std::vector<RosParameterReport>& reports) {
+  std::string text;
+  for (const EditedRosParameters& edited : edit_ros_parameters(reports)) text += edited.diff;
   return text;
 }
 

@@ -380,6 +380,25 @@ TEST_F(RosParameters, PatchAppliesADiffOfAdjacentLinesAndOfALastLineWithoutItsBr
   EXPECT_EQ(read_text(path, "parameters", kMaxConfigSize), head + "  sim_time: 2\n  vx_samples: 6");
 }
 
+TEST_F(RosParameters, TheWayBackIsExactOrNone) {
+  // A radius of 0.25 m is subtracted from cost_scaling_dist; a switch does not become a number.
+  write("nav.yaml", "A:\n  plugin: " + kRpp +
+                        "\n  cost_scaling_dist: 0.6\n  lookahead_dist: 0.5\n"
+                        "  use_velocity_scaled_lookahead_dist: true\n"
+                        "  use_rotate_to_heading: false\n");
+  resolve(
+      "[method.m]\nfrom = nav.yaml\ncost_scaling_dist = 0.2\nmin_lookahead_dist = 0.3\n"
+      "rotate_to_heading_min_angle = 1\nmemory = 3\n");
+  const std::vector<EditedRosParameters> edited = edit_ros_parameters(reports_);
+  ASSERT_EQ(edited.size(), 1U);
+  EXPECT_NE(edited[0].text.find("\n  cost_scaling_dist: 0.45\n  lookahead_dist: 0.5\n"),
+            std::string::npos)
+      << edited[0].text;
+  EXPECT_EQ(reports_[0].not_in_file, (std::vector<std::string>{"A.min_lookahead_dist: 0.3"}));
+  EXPECT_EQ(reports_[0].no_way_back,
+            (std::vector<std::string>{"rotate_to_heading_min_angle", "memory"}));
+}
+
 TEST_F(RosParameters, TheDiffRefusesWhatItCannotWrite) {
   const std::string path = write("nav.yaml", "A:\n  plugin: " + kDwb +
                                                  "\n  sim_time: \"1.7\"\n"

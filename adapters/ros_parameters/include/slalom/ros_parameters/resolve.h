@@ -33,6 +33,7 @@ struct RosParameterReport {
   std::vector<Line> mapped, overridden, without_counterpart;
   std::vector<Edit> edits;
   std::vector<std::string> not_in_file;  ///< "FollowPath.sim_time: 2", of keys of the .ini
+  std::vector<std::string> no_way_back;  ///< keys of the .ini that no parameter gives exactly
   std::vector<std::string> unknown;      ///< "FILE:LINE: SECTION.KEY"
 
   std::string summary() const;  ///< one line
@@ -43,6 +44,15 @@ struct RosParameterReport {
 /// section has. Throws Error: (File) for a file that cannot be read, (Usage) for a value that
 /// cannot be converted, a controller that is not in the files or that has no method here.
 std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini);
+
+/// A file of parameters and its text with the overridden values.
+struct EditedRosParameters {
+  std::string file, text, diff;  ///< as ros_parameter_diff()
+};
+
+/// The files with overridden values. Throws as ros_parameter_diff().
+std::vector<EditedRosParameters> edit_ros_parameters(
+    const std::vector<RosParameterReport>& reports);
 
 /// The overridden values of all sections as a unified diff of their files, for `patch`; "" if there
 /// are none. Throws Error (Usage) where sections differ in a value, (File) for a value that is not
