@@ -62,6 +62,12 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
   EXPECT_LT(std::stod(equal.at("a").at("high").get<std::string>()), 0.9);
   EXPECT_NE(equal.at("b").at("low"), equal.at("b").at("high"));
   EXPECT_NE(result.out.find("claim: better, by 1.00 ["), std::string::npos) << result.out;
+  // No collision in 200 runs does not exclude 1 - 0.05^(1/200) = 0.0149.
+  const Json& collisions = found.at("sealed").at("tuned_collisions");
+  EXPECT_EQ(collisions.at("value"), 0);
+  EXPECT_GT(collisions.at("high"), 0.0149);
+  EXPECT_LT(collisions.at("high"), 0.05);
+  EXPECT_NE(result.out.find("collisions of the winner: at most 0.0"), std::string::npos);
 
   // The campaign with these options, and the same answer from any number of workers.
   write("out/planted.py", kPlanted);

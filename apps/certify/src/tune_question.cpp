@@ -178,6 +178,13 @@ bool shows_more_collisions(const std::vector<TuneOutcome>& tuned,
   return only_tuned > only_standard && mcnemar_exact(only_tuned, only_standard) <= kLevel;
 }
 
+RateEstimate collision_rate(const std::vector<TuneOutcome>& outcomes,
+                            const SealedOptions& options) {
+  std::vector<double> collisions;
+  for (const TuneOutcome& outcome : outcomes) collisions.push_back(outcome.collision ? 1 : 0);
+  return betting_estimate(collisions, 0, options.effect, options.confidence);
+}
+
 /// Success of the default and the winner in those of the sealed scenarios that are at the hard end
 /// of a descriptor.
 Json hard_end_json(const HardEnd& end, const std::vector<TuneOutcome>& tuned,
@@ -232,6 +239,7 @@ Json TuneQuestion::sealed_answer(const MethodCampaign& campaign, const TuneScena
       {"default_counts", to_json(counts_of(outcomes[1]))},
       {"hard_end", end ? hard_end_json(*end, outcomes[0], outcomes[1], sealed_options()) : Json()},
       {"more_collisions", shows_more_collisions(outcomes[0], outcomes[1])},
+      {"tuned_collisions", to_json(collision_rate(outcomes[0], sealed_options()))},
       {"difference", to_json(claim.difference())},
       {"optimism", to_json(claim.optimism(counts_of(result.candidates[result.winner].finals)))}};
 }
@@ -415,6 +423,10 @@ Statement TuneQuestion::statement(const Json& answer) const {
     if (better && sealed.at("more_collisions").get<bool>())
       statement.parts.emplace_back(
           "but with more collisions: the default is recommended, unless they do not matter");
+    if (better)
+      statement.parts.emplace_back("collisions of the winner: at most " +
+                                   two_digits(sealed.at("tuned_collisions").at("high")) +
+                                   " of the runs");
     statement.parts.emplace_back("optimism of the finals: " + estimate_text(sealed.at("optimism")));
   }
   statement.parts.emplace_back(effects_table(answer));
