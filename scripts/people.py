@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the tables of docs/baselines-people.md again: scripts/people.py FOLDER [METHOD...]
+
+The methods of configs/baselines.ini, or of the arguments, in slalom-people-small when nobody, half and all of the
+people notice the robot, and all by ORCA. FOLDER has a result file for each, which is continued or used again: delete them if
+methods have changed. The tables, as Markdown, are printed. Environment variable: JOBS, the number of workers (2).
+"""
+
+import itertools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BIN = ROOT / "build/release/bin"
+JOBS = os.environ.get("JOBS", "2")
+SETTINGS = {
+    "none": ["people.notices=0"],
+    "half": ["people.notices=0.5"],
+    "all": ["people.notices=1"],
+    "orca": ["people.notices=1", "people.model=orca", "people.keep_apart=false"],
+}
+METRICS = {"success": 2, "people_hindrance": 1, "people_deficit": 2, "frozen_time": 1}  # digits
+
+
+def call(*command):
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def run_campaign(folder, name, scenarios, methods):
+    results = folder / f"{name}.results"
+    command = [BIN / "slalom-simulate", "run", "-c", ROOT / "configs/baselines.ini", "--scenarios", scenarios]
+    command += ["-o", results, "-j", JOBS, "--quiet"]
+    for setting in SETTINGS[name] + (["campaign.methods=" + ",".join(methods)] if methods else []):
+        command += ["--set", setting]
+    call(*command)
+    return results
+
+
+def compare(results):
+    """The rows of each table of `robustness`, by its name."""
+    command = [BIN / "slalom-analyze", "robustness", *results, "--parameter", "setting", "--allow-differences"]
+    command += ["--values", ",".join(str(i) for i in range(len(results)))]
+    found = json.loads(call(*command, "--metric", ",".join(METRICS), "--json"))
+    return {one["name"]: [dict(zip(one["columns"], row)) for row in one["rows"]] for one in found["tables"]}
+
+
+def estimate(row, name, digits=2):
+    if row[name] is None:
+        return "–"
+    low, high = row[name + ".low"], row[name + ".high"]
+    return f"{row[name]:.{digits}f}" + ("" if low is None else f" [{low:.{digits}f}, {high:.{digits}f}]")
+
+
+def print_table(header, rows):
+    print("| " + " | ".join(header) + " |\n" + "|---" * len(header) + "|")
+    for cells in rows:
+        print("| " + " | ".join(cells) + " |")
+    print()
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    folder = pathlib.Path(sys.argv[1]).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    scenarios = folder / "slalom-people-small.scenarios"
+    if not scenarios.exists():
+        testbed = ROOT / "configs/testbeds/slalom-people-small.ini"
+        call(BIN / "slalom-scenarios", "generate", "-c", testbed, "-o", scenarios, "-j", JOBS, "--quiet")
+    results = [run_campaign(folder, name, scenarios, sys.argv[2:]) for name in SETTINGS]
+    tables = compare(results)
+    successes = {name[: -len("_success")]: rows for name, rows in tables.items() if name.endswith("_success")}
+    methods = sorted(successes, key=lambda method: -sum(row["success"] for row in successes[method]))
+    rows = ([one] + [estimate(row, "success") for row in successes[one]] for one in methods)
+    print_table(["method", *SETTINGS], rows)
+    of_all = list(SETTINGS).index("all")
+    effects = [metric for metric in METRICS if metric != "success"]
+    cell = lambda one, metric: estimate(tables[f"{one}_{metric}"][of_all], metric, METRICS[metric])
+    print_table(["method", *effects], ([one] + [cell(one, metric) for metric in effects] for one in methods))
+    orders = [row for i in range(len(results) - 1) for row in compare(results[i:])["order_of_methods"]]
+    taus = [estimate(row, "tau") for row in orders if row["metric"] == "success"]
+    pairs = [", ".join(pair) for pair in itertools.combinations(SETTINGS, 2)]
+    print_table(["settings", "Kendall's tau of success"], zip(pairs, taus))
+
+
+main()
