@@ -16,6 +16,18 @@ std::optional<Value> na_without_people(const MetricContext& context) {
   return na_without_verdict(context);
 }
 
+Value mean_over_people(const MetricContext& context, std::optional<double> Hindrance::*delay) {
+  if (const auto na = na_without_people(context)) return *na;
+  double sum = 0, count = 0;
+  for (const Hindrance& one : context.hindrances) {
+    if (!(one.*delay)) continue;
+    sum += *(one.*delay);
+    ++count;
+  }
+  if (count > 0) return Value::of(sum / count);
+  return Value::na("nobody arrives with and without the robot, or until_arrival is 0");
+}
+
 /// People follow the movers of the scenario.
 const Mover* first_person(const MetricContext& context) {
   return context.movers.data() + context.movers.size() - context.hindrances.size();
@@ -80,6 +92,16 @@ Value people_deficit(const MetricContext& context) {
   double sum = 0;
   for (const Hindrance& one : context.hindrances) sum += one.deficit;
   return Value::of(sum / static_cast<double>(context.hindrances.size()));
+}
+
+/// Lateness of the arrivals of those who arrive with and without the robot, the mean.
+Value people_delay(const MetricContext& context) {
+  return mean_over_people(context, &Hindrance::delay);
+}
+
+/// Change of their arrivals by a start that is moved by nothing that matters, the mean.
+Value people_delay_floor(const MetricContext& context) {
+  return mean_over_people(context, &Hindrance::delay_floor);
 }
 
 /// The deepest one of two people. All walk straight between updates.

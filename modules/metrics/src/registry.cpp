@@ -71,12 +71,14 @@
   METRIC(arrival_ratio, 1, "Arrival ratio", "-", Down, Ratio, at_least(1))
 
 /// Metrics about people.
-#define SLALOM_PEOPLE_METRICS(METRIC)                                                        \
-  METRIC(people_hindrance, 1, "Hindrance of people", "s", Down, Amount, any())               \
-  METRIC(people_hindered, 1, "Hindered people", "-", Down, Ratio, between(0, 1))             \
-  METRIC(people_speed_change, 1, "Speed change of people", "m/s", Down, Amount, at_least(0)) \
-  METRIC(people_deficit, 1, "Deficit of people", "s", Down, Amount, any())                   \
-  METRIC(people_overlap, 1, "Overlap of people", "m", None, Amount, at_least(0))             \
+#define SLALOM_PEOPLE_METRICS(METRIC)                                                           \
+  METRIC(people_hindrance, 1, "Hindrance of people", "s", Down, Amount, any())                  \
+  METRIC(people_hindered, 1, "Hindered people", "-", Down, Ratio, between(0, 1))                \
+  METRIC(people_speed_change, 1, "Speed change of people", "m/s", Down, Amount, at_least(0))    \
+  METRIC(people_deficit, 1, "Deficit of people", "s", Down, Amount, any())                      \
+  METRIC(people_delay, 1, "Delay of people", "s", Down, Amount, any())                          \
+  METRIC(people_delay_floor, 1, "Floor of the delay of people", "s", None, Amount, at_least(0)) \
+  METRIC(people_overlap, 1, "Overlap of people", "m", None, Amount, at_least(0))                \
   METRIC(contact_blame, 1, "Blame for the contact with a person", "-", Down, Rate, between(0, 1))
 
 namespace slalom {

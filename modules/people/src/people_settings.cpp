@@ -34,6 +34,9 @@ void PeopleSettings::visit(OptionVisitor& v) {
            Range::between(1, 1000));
   v.option("share", share, "-", "share of the avoidance of the robot that people take (orca)",
            Range::between(0, 1));
+  v.option("until_arrival", until_arrival, "s",
+           "longest time after a run for which people go on, for their delay; 0: not measured",
+           Range::between(0, 3600));
 }
 
 bool notices_robot(const std::string& scenario_hash, const std::string& id, double share) {

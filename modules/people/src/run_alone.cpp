@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/people/run_alone.h>
 
+#include <cmath>
+
 namespace slalom {
 namespace {
 
@@ -34,8 +36,34 @@ void CrowdRecord::add(const Crowd& crowd) {
   }
 }
 
+Arrivals arrivals_in(const Crowd& crowd, double until) {
+  Arrivals arrivals;
+  for (const Walker& walker : crowd.walkers())
+    arrivals.push_back(walker.arrival && *walker.arrival <= until ? walker.arrival : std::nullopt);
+  return arrivals;
+}
+
 PeopleAlone::PeopleAlone(const World& world, const PeopleSettings& settings)
-    : start_(world, world.scenario().people(), settings), now_(start_) {}
+    : world_(world),
+      settings_(settings),
+      start_(world, world.scenario().people(), settings),
+      now_(start_) {}
+
+Arrivals PeopleAlone::arrivals(double until) {
+  covered(static_cast<int>(std::ceil(until / settings_.period)) + 1);
+  return arrivals_in(now_, until);
+}
+
+Arrivals PeopleAlone::arrivals_beside(double until) {
+  constexpr double kShift = 1e-12;  // m
+  if (!beside_) {
+    People people = world_.scenario().people();
+    people[0].start.x += kShift;
+    beside_.emplace(world_, people, settings_);
+  }
+  for (; beside_->time() <= until; beside_->move()) beside_->decide();
+  return arrivals_in(*beside_, until);
+}
 
 const std::vector<double>& PeopleAlone::covered(int updates) {
   for (;; now_.decide(), now_.move()) {

@@ -4,6 +4,7 @@
 #include <slalom/core/math.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace slalom {
@@ -32,11 +33,28 @@ Hindrances RunMovers::hindrances() const {
   Hindrances hindrances;
   if (!crowd_) return hindrances;
   for (const Walker& walker : crowd_->walkers()) hindrances.push_back(walker.hindrance);
+  if (settings_.until_arrival > 0) add_delays(hindrances);
   if (!is_noticed_) return hindrances;
   const std::vector<double>& alone = alone_->covered(crowd_->updates());
   for (std::size_t i = 0; i < hindrances.size(); ++i)
     hindrances[i].deficit = (alone[i] - crowd_->covered(i)) / scenario_.people()[i].speed;
   return hindrances;
+}
+
+/// The people go on, and the robot stands where they saw it last.
+void RunMovers::add_delays(Hindrances& hindrances) const {
+  const double until = crowd_->time() + settings_.until_arrival;
+  RobotDisc standing = robot_;
+  standing.disc.velocity = {0, 0};
+  Crowd crowd = *crowd_;
+  for (; crowd.time() <= until; crowd.move())
+    crowd.decide(is_noticed_ ? std::make_optional(standing) : std::nullopt);
+  const Arrivals with = arrivals_in(crowd, until), alone = alone_->arrivals(until),
+                 beside = alone_->arrivals_beside(until);
+  for (std::size_t i = 0; i < hindrances.size(); ++i) {
+    if (with[i] && alone[i]) hindrances[i].delay = *with[i] - *alone[i];
+    if (alone[i] && beside[i]) hindrances[i].delay_floor = std::abs(*beside[i] - *alone[i]);
+  }
 }
 
 double RunMovers::max_speed() const {

@@ -46,6 +46,7 @@ class RunMovers {
   }
 
  private:
+  void add_delays(Hindrances& hindrances) const;
   std::size_t index_of(const Mover& mover) const {
     return static_cast<std::size_t>(&mover - movers().data());
   }

@@ -82,7 +82,9 @@ TEST(Metrics, AreListedInTheOrderOfTheDocumentation) {
         << info.id << text;
     EXPECT_GE(info.version, 1) << info.id;
     EXPECT_NE(info.name, "") << info.id;
-    const bool is_no_merit = info.id == "contact_mover" || info.id == "people_overlap";
+    const std::set<std::string> no_merits = {"contact_mover", "people_delay_floor",
+                                             "people_overlap"};
+    const bool is_no_merit = no_merits.count(info.id) > 0;
     EXPECT_EQ(info.direction == Direction::None, is_no_merit) << info.id;
     EXPECT_EQ(&metric(info.id), &candidate);
     EXPECT_TRUE(ids.insert(info.id).second) << "duplicate " << info.id;
@@ -250,7 +252,8 @@ TEST(Metrics, WithoutRangeAreClearancesDelaysOfPeopleAndALogarithm) {
     if (range_notation(metric.info.range) == "..") unbounded.insert(metric.info.id);
   EXPECT_EQ(unbounded,
             (std::set<std::string>{"log_dimensionless_jerk", "mean_clearance", "min_clearance",
-                                   "min_mover_clearance", "people_deficit", "people_hindrance"}));
+                                   "min_mover_clearance", "people_deficit", "people_delay",
+                                   "people_hindrance"}));
 }
 
 }  // namespace

@@ -70,6 +70,18 @@ TEST(PeopleDeficit, IsTheMeanOverAllPeople) {
   EXPECT_EQ(RunAmongPeople(kAway, hindrances).measured("people_deficit"), Value::of(0.5));
 }
 
+TEST(PeopleDelay, IsTheMeanOverThoseWhoArriveInBoth) {
+  Hindrances hindrances(4);
+  hindrances[0].delay = 3;
+  hindrances[2].delay = -1;
+  hindrances[2].delay_floor = 0.5;
+  const RunAmongPeople run(kAway, hindrances);
+  EXPECT_EQ(run.measured("people_delay"), Value::of(1));
+  EXPECT_EQ(run.measured("people_delay_floor"), Value::of(0.5));
+  EXPECT_EQ(RunAmongPeople(kAway, {{}, {}}).measured("people_delay").reason(),
+            "nobody arrives with and without the robot, or until_arrival is 0");
+}
+
 TEST(PeopleOverlap, IsTheDeepestOneAtAnyTimeOfTheRun) {
   RunAmongPeople run(kAway, {{}, {}});
   EXPECT_EQ(run.measured("people_overlap"), Value::of(0));

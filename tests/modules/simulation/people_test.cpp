@@ -213,6 +213,37 @@ TEST(People, AreBehindWhereTheyWouldBeWithoutTheRobot) {
     EXPECT_EQ(one.deficit, 0);
 }
 
+TEST(People, ArriveLaterThanWithoutTheRobot) {
+  // Carla walks 8 m at 1.25 m/s, up to the tolerance of 0.3 m; anna has to go around the robot.
+  const Person carla{"carla", 0.3, 1.25, {1, 9}, {{9, 9}}, 0, PersonEnd::Stay};
+  const World world(with_people({passer_by(), carla}), 0.05);
+  FunctionMethod still = constant_method(0, 0);
+  RunSetup setup = setup_of(1);
+  setup.simulation.max_time = 2;
+  for (const Hindrance& one : simulate(world, setup, 1, still).hindrances)
+    EXPECT_FALSE(one.delay || one.delay_floor) << "they are not asked for";
+  setup.people.until_arrival = 30;
+  const SimulationResult result = simulate(world, setup, 1, still);
+  const Hindrance &anna = result.hindrances.at(0), &other = result.hindrances.at(1);
+  ASSERT_TRUE(anna.delay && other.delay);
+  EXPECT_GT(*anna.delay, 0);
+  EXPECT_LT(*anna.delay, 10);
+  EXPECT_EQ(*other.delay, 0) << "out of reach of the robot";
+  EXPECT_LE(*anna.delay_floor, setup.people.period) << "far from the other one";
+  // A crowd with the robot where it stands arrives as late.
+  Crowd crowd(world, world.scenario().people(), setup.people);
+  const RobotDisc robot{{{5, 5}, {0, 0}, 0.2}, {true, true}};
+  for (; !crowd.walkers()[0].arrival; crowd.move()) crowd.decide(robot);
+  PeopleAlone alone(world, setup.people);
+  EXPECT_EQ(*anna.delay, *crowd.walkers()[0].arrival - *alone.arrivals(30)[0]);
+  Hindrances again;
+  movers_along(world, setup.robot, setup.simulation, result.trajectory, setup.people, &again);
+  EXPECT_EQ(again, result.hindrances);
+  // Who does not arrive in time has none.
+  setup.people.until_arrival = 0.1;
+  EXPECT_FALSE(simulate(world, setup, 1, still).hindrances.at(0).delay);
+}
+
 TEST(People, AreNotHinderedByWhatARecordedTrajectoryDoesAfterTheRun) {
   const World world(with_people({passer_by()}), 0.05);
   const RunSetup setup = setup_of(1);

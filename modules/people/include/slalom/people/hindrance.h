@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace slalom {
@@ -17,10 +18,17 @@ struct Hindrance {
   /// s, at the preferred speed, of the route that the person has covered less of than it would have
   /// without a robot by then; negative if it has covered more
   double deficit = 0;
+  /// s, by which the person arrives later than without a robot: none if it does not arrive in both,
+  /// or PeopleSettings::until_arrival is 0
+  std::optional<double> delay = std::nullopt;
+  /// s, by which it would arrive at another time without a robot if the first person started 1e-12
+  /// m beside its start: delays that are not larger mean nothing
+  std::optional<double> delay_floor = std::nullopt;
 
   bool operator==(const Hindrance& other) const {
     return is_noticed == other.is_noticed && updates == other.updates && time == other.time &&
-           speed_change == other.speed_change && deficit == other.deficit;
+           speed_change == other.speed_change && deficit == other.deficit && delay == other.delay &&
+           delay_floor == other.delay_floor;
   }
 };
 

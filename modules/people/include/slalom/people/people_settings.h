@@ -37,6 +37,7 @@ struct PeopleSettings {
   double margin = 0;            ///< m
   int max_neighbors = 10;
   double share = 0.5;
+  double until_arrival = 0;  ///< s
 
   void visit(OptionVisitor& v);
 };

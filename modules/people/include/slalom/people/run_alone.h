@@ -5,6 +5,7 @@
 #include <slalom/scenario/mover.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,12 @@ class CrowdRecord {
   Movers movers_;
 };
 
+/// s, per person; none for who has not arrived.
+using Arrivals = std::vector<std::optional<double>>;
+
+/// Walker::arrival of each person, up to this time (s).
+Arrivals arrivals_in(const Crowd& crowd, double until);
+
 /// The people of a scenario without a robot: the start of all runs among them, and how far they
 /// come alone, which is computed as far as it is asked for.
 class PeopleAlone {
@@ -39,9 +46,16 @@ class PeopleAlone {
   const Crowd& start() const { return start_; }
   /// Crowd::covered() of each person after so many updates.
   const std::vector<double>& covered(int updates);
+  /// s, the arrival of each person up to this time (s).
+  Arrivals arrivals(double until);
+  /// The same of a crowd whose first person starts 1e-12 m beside its start.
+  Arrivals arrivals_beside(double until);
 
  private:
+  const World& world_;
+  PeopleSettings settings_;
   Crowd start_, now_;
+  std::optional<Crowd> beside_;
   std::vector<std::vector<double>> covered_;
 };
 
