@@ -131,6 +131,33 @@ class Package(unittest.TestCase):
         self.assertEqual(len(results.timing["cycle_time_mean"]), 6)
         self.assertNotIn("cycle_time_mean", results)
 
+    def test_a_class_needs_no_more_than_step(self):
+        class Short:
+            options = {"turn": (1.0, "1/s", "angular velocity per radian")}
+
+            def step(self, o):
+                return self.robot.max_v, self.options.turn * math.atan2(o.goal_y, o.goal_x)
+
+        results = slalom.evaluate({"short": Short}, small(3), workers=2, **QUICK)
+        self.assertNotIn("method_error", results["outcome"])
+        with self.assertRaisesRegex(slalom.Error, "'turn'"):
+            slalom.evaluate({"short": (Short, {"trun": 2})}, small(1), **QUICK)
+
+    def test_without_reset_each_run_begins_with_what_the_constructor_made(self):
+        seen = []
+
+        class Counts:
+            def __init__(self, robot, options):
+                self.cycles = 0
+
+            def step(self, o):
+                seen.append(self.cycles)
+                self.cycles += 1
+                return 0, (1 if self.cycles < 3 else math.nan)
+
+        slalom.evaluate({"counts": Counts}, small(2), in_process=True, **QUICK)
+        self.assertEqual(seen, [0, 1, 2, 0, 1, 2])
+
     def test_workers_do_not_change_results(self):
         columns = [
             slalom.evaluate({"a": Direct, "b": Seeded}, small(4), workers=workers, repetitions=2, **QUICK)
