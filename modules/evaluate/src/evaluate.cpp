@@ -7,40 +7,58 @@
 #include <slalom/core/available_cores.h>
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
+#include <slalom/io/result_file.h>
 #include <slalom/results/privileged.h>
 #include <slalom/results/table_builder.h>
 
+#include <optional>
 #include <set>
 
 namespace slalom {
 namespace {
 
-/// Collects the records of a campaign in a table.
+/// Collects the records of a campaign in a table, and in a result file if one is wanted.
 class TableSink : public CampaignSink {
  public:
   TableSink(const CampaignOptions& campaign, const Options& options)
-      : builder_(campaign.descriptor_infos(), campaign.metric_infos()), options_(options) {}
+      : builder_(campaign.descriptor_infos(), campaign.metric_infos()), options_(options) {
+    if (!options.output.empty())
+      file_ = ResultFile::create(options.output, {}, campaign.descriptor_infos(),
+                                 campaign.metric_infos());
+  }
 
-  void add_scenario(const ScenarioRecord& record, const References&,
-                    const PackedScenario&) override {
+  void add_scenario(const ScenarioRecord& record, const References& references,
+                    const PackedScenario& packed) override {
     builder_.add_scenario(record);
+    if (file_) file_->add_scenario(record, packed, references.timing);
   }
   void add_run(const RunRecord& run, const RunTiming& timing,
                const PackedTrajectory& trajectory) override {
     builder_.add_run(run, timing);
+    if (file_) file_->add_run(run, timing, trajectory);
     if (options_.observer) options_.observer(run, trajectory.unpack(run_id(run)));
   }
-  ResultTable finish() { return builder_.finish(); }
+  ResultTable finish(const Manifest& manifest) {
+    if (file_) {
+      file_->replace_manifest(manifest);
+      file_->commit();
+    }
+    ResultTable table = builder_.finish();
+    table.manifest = manifest;
+    return table;
+  }
 
  private:
   TableBuilder builder_;
+  std::optional<ResultFile> file_;
   const Options& options_;
 };
 
 CampaignOptions campaign_options(const Options& options, const std::vector<Scenario>& scenarios) {
   CampaignOptions campaign = options;
-  campaign.record.trajectories =
-      options.observer ? StoredTrajectories::All : StoredTrajectories::None;
+  campaign.record.trajectories = options.observer || !options.output.empty()
+                                     ? StoredTrajectories::All
+                                     : StoredTrajectories::None;
   campaign.record.repeated_runs = 0;  // not measured here
   campaign = checked_options(std::move(campaign), "options ");
   campaign.adapt_to(scenarios);
@@ -101,10 +119,9 @@ ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenar
   CallbackProgress progress(options);
   run_campaign(campaign, sink,
                {worker_count(options.workers), progress, options.cancel, options.in_process});
-  ResultTable table = sink.finish();
-  table.manifest = make_manifest(campaign);
-  store_privileged(privileged, table.manifest);
-  return table;
+  Manifest manifest = make_manifest(campaign);
+  store_privileged(privileged, manifest);
+  return sink.finish(manifest);
 }
 
 std::string cross_table(const ResultTable& table, const std::string& rows,

@@ -3,6 +3,8 @@
 
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/evaluate.h>
+#include <slalom/io/read_results.h>
+#include <slalom/io/result_file.h>
 #include <slalom/results/privileged.h>
 
 #include <gtest/gtest.h>
@@ -47,6 +49,35 @@ std::vector<double> values_of(const ResultTable& table, const std::string& id) {
 
 std::string outcome_of(const ResultTable& table, std::size_t run) {
   return table.outcomes[table.outcome[run]];
+}
+
+/// Texts by run: all that a result file and a table have in common.
+std::string text_of(const ResultTable& table) {
+  std::string text;
+  for (std::size_t run = 0; run < table.size(); ++run)
+    text += run_id(table, run) + " " + outcome_of(table, run) + " " +
+            table.details.at(run).outcome_detail + " " + table.details.at(run).trajectory_hash +
+            "\n";
+  return text;
+}
+
+TEST(Evaluate, WritesAResultFileThatEqualsItsTable) {
+  Options options;
+  options.output = testing::TempDir() + "/evaluated.results";
+  const ResultTable table = evaluate(towards_goal_only(), two_fields(), options);
+  const ResultTable read = read_detailed_results(options.output);
+  EXPECT_EQ(text_of(read), text_of(table));
+  EXPECT_EQ(read.manifest, table.manifest);
+  for (const ValueColumn& metric : table.metrics) {
+    if (metric.wall_clock) continue;
+    const std::string& id = metric.info().id;
+    EXPECT_EQ(values_of(read, id), values_of(table, id));
+  }
+  const ResultFile file = ResultFile::open(options.output);
+  file.for_each_run([&](const RunRecord& run) {
+    EXPECT_EQ(file.read_trajectory(run).samples.back().t,
+              values_of(table, "time_to_goal").at(run.scenario_hash == table.scenario_hashes[1]));
+  });
 }
 
 TEST(Generate, AddsWalkersToAnyFamily) {

@@ -70,6 +70,8 @@ struct Options : CampaignOptions {
   std::shared_ptr<const ReferencePlanner> planner = nullptr;
   int workers = 1;          ///< processes, 0: one per core; results do not depend on them
   bool in_process = false;  ///< without workers and limits, to debug a method
+  /// A result file that is written as well, with all trajectories; it replaces one. Empty: none.
+  std::string output = "";
   /// Called with the current phase, and the number of its steps that are done and in total.
   std::function<void(const std::string& phase, std::size_t done, std::size_t total)> progress = {};
   /// Called with each run and its trajectory, in an order that may depend on the workers; null:
@@ -94,7 +96,8 @@ std::vector<Scenario> generate(const FamilyOptions& family, int count, std::uint
 /// Runs every method in every scenario (duplicates once) and computes the metrics of each run, the
 /// descriptors of each scenario. The values are those of slalom-evaluate with the same scenarios,
 /// methods and options. Throws Error: Usage for no methods, no scenarios, unknown ids, options out
-/// of range and methods that cannot be built; Job for failures of the machine.
+/// of range and methods that cannot be built; File for an output that is no result file; Job for
+/// failures of the machine.
 ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenarios,
                      const Options& options = {});
 
