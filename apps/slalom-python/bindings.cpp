@@ -22,6 +22,7 @@ struct EvaluateArguments {
   std::uint64_t seed = 1;
   int repetitions = 1, workers = 1;
   bool in_process = false, trajectories = false;
+  std::string output;
 };
 
 slalom::Options to_options(const EvaluateArguments& arguments, const py::dict& sections,
@@ -33,6 +34,7 @@ slalom::Options to_options(const EvaluateArguments& arguments, const py::dict& s
   options.repetitions = arguments.repetitions;
   options.workers = arguments.workers;
   options.in_process = arguments.in_process;
+  options.output = arguments.output;
   if (!progress.is_none())
     options.progress = [progress](const std::string& phase, std::size_t done, std::size_t total) {
       progress(phase, done, total);
@@ -42,22 +44,14 @@ slalom::Options to_options(const EvaluateArguments& arguments, const py::dict& s
   return options;
 }
 
-/// (columns, timing, reasons, trajectories or None, table)
+/// Results as of results_of().
 py::tuple evaluate(const py::dict& methods, const std::vector<slalom::Scenario>& scenarios,
                    const EvaluateArguments& arguments, const py::dict& sections,
                    const py::object& progress) {
-  slalom::Options options = to_options(arguments, sections, progress);
-  std::map<std::string, slalom::Trajectory> trajectories;
-  if (arguments.trajectories)
-    options.observer = [&](const slalom::RunRecord& run, const slalom::Trajectory& trajectory) {
-      trajectories.emplace(slalom::run_id(run), trajectory);
-    };
-  auto table = std::make_shared<slalom::ResultTable>(
-      slalom::evaluate(slalom::to_methods(methods), scenarios, options));
+  const slalom::ResultTable table = slalom::evaluate(slalom::to_methods(methods), scenarios,
+                                                     to_options(arguments, sections, progress));
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-  const py::object arrays =
-      arguments.trajectories ? py::object(arrays_of(*table, trajectories)) : py::none();
-  return py::make_tuple(columns_of(*table), timing_of(*table), reasons_of(*table), arrays, table);
+  return slalom::results_of(table, arguments.output, arguments.trajectories);
 }
 
 }  // namespace
@@ -67,19 +61,16 @@ PYBIND11_MODULE(_slalom, module) {
   module.attr("__version__") = slalom::version();
   slalom::bind_scenarios(module);
   slalom::bind_certify(module);
-  py::class_<slalom::ResultTable, std::shared_ptr<slalom::ResultTable>>(module, "ResultTable")
-      .def_property_readonly("manifest",
-                             [](const slalom::ResultTable& table) { return table.manifest; });
-  module.def(
-      "evaluate",
-      [](const py::dict& methods, const std::vector<slalom::Scenario>& scenarios,
-         const py::dict& sections, std::optional<std::vector<std::string>> metrics,
-         std::optional<std::vector<std::string>> descriptors, std::uint64_t seed, int repetitions,
-         int workers, bool in_process, bool trajectories, const py::object& progress) {
-        return evaluate(methods, scenarios,
-                        {std::move(metrics), std::move(descriptors), seed, repetitions, workers,
-                         in_process, trajectories},
-                        sections, progress);
-      });
-  module.def("cross_table", slalom::cross_table);
+  slalom::bind_results(module);
+  module.def("evaluate",
+             [](const py::dict& methods, const std::vector<slalom::Scenario>& scenarios,
+                const py::dict& sections, std::optional<std::vector<std::string>> metrics,
+                std::optional<std::vector<std::string>> descriptors, std::uint64_t seed,
+                int repetitions, int workers, bool in_process, bool trajectories,
+                const py::object& progress, const std::string& output) {
+               return evaluate(methods, scenarios,
+                               {std::move(metrics), std::move(descriptors), seed, repetitions,
+                                workers, in_process, trajectories, output},
+                               sections, progress);
+             });
 }

@@ -2,26 +2,21 @@
 #pragma once
 
 #include <slalom/results/result_table.h>
-#include <slalom/trajectory/trajectory.h>
 
-#include <map>
 #include <pybind11/pybind11.h>
 #include <string>
 
 namespace slalom {
 
-/// Columns by name, one value per run: scenario, scenario_hash, method, repetition, outcome, then
-/// metrics and descriptors as float64 arrays, NaN where NA. Wall-clock figures are not included.
-pybind11::dict columns_of(const ResultTable& table);
+/// Parts of the class Results: (columns, timing, reasons, trajectories, table, path).
+/// Columns by name have one value per run: scenario, scenario_hash, method, repetition, outcome,
+/// detail, reasons, then metrics and descriptors as float64 arrays, NaN where NA. `timing` are
+/// those of wall-clock figures, which differ from run to run; `reasons` are {column: {row: reason}}
+/// of all values that are NA; `trajectories` the samples of each run, read from the result file or
+/// folder at `path`, or None. Throws Error (File).
+pybind11::tuple results_of(const ResultTable& table, const std::string& path, bool trajectories);
 
-/// Wall-clock figures by name: float64 arrays, one value per run. They differ from run to run.
-pybind11::dict timing_of(const ResultTable& table);
-
-/// {column: {row: reason}} of all values that are NA.
-pybind11::dict reasons_of(const ResultTable& table);
-
-/// The samples of each run in the order of the table; by run_id().
-pybind11::list arrays_of(const ResultTable& table,
-                         const std::map<std::string, Trajectory>& trajectories);
+/// Class ResultTable, read_results(), save_results(), summary() and cross_table().
+void bind_results(pybind11::module_& module);
 
 }  // namespace slalom

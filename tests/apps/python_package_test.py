@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python package slalom."""
 
+import ast
+import copy
 import importlib.util
+import inspect
 import math
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -15,7 +19,8 @@ import unittest
 import numpy as np
 import slalom
 
-CERTIFY = pathlib.Path(slalom.__file__).parents[3] / "bin/slalom-certify"
+PROGRAMS = pathlib.Path(slalom.__file__).parents[3] / "bin"
+CERTIFY = PROGRAMS / "slalom-certify"
 EXAMPLE = pathlib.Path(__file__).parents[2] / "examples/python/evaluate_my_method.py"
 
 
@@ -349,6 +354,145 @@ class Package(unittest.TestCase):
             self.assertRegex(failure, r"^random_\d+: \w+ after [\d.]+ s, [\d.]+ m from the goal$")
             drawing = pathlib.Path(folder, failure.split(":")[0] + ".svg")
             self.assertTrue(drawing.read_text().startswith("<svg"))
+
+
+class FilesAndFigures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        gap = slalom.plugin("libslalom_follow_the_gap.so")
+        cls.results = slalom.evaluate({"direct": Direct, "fails": Fails, "gap": gap}, small(), **QUICK)
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def test_as_text_results_are_the_summary_with_what_is_wrong_with_a_method(self):
+        path = self.path("saved.results")
+        self.results.save(path)
+        words = [PROGRAMS / "slalom-analyze", "summary", path]
+        printed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+        self.assertEqual(repr(self.results), printed)
+        self.assertRegex(printed, r"fails: 3 of 3 runs ended with method_error: RuntimeError: lost")
+
+    def test_saved_results_are_read_with_all_values(self):
+        path = self.path("saved.results")
+        self.results.save(path)
+        read = slalom.read_results(path, trajectories=True)
+        self.assertEqual(list(read), list(self.results))
+        for name in read:
+            np.testing.assert_array_equal(read[name], self.results[name], err_msg=name)
+        self.assertEqual(read.reasons, self.results.reasons)
+        self.assertEqual(read.manifest, self.results.manifest)
+        ends = [trajectory[-1, 0] for trajectory in read.trajectories]
+        known = read["success"] == 1
+        np.testing.assert_array_equal(np.array(ends)[known], read["time_to_goal"][known])
+        self.assertIsNone(slalom.read_results(path).trajectories)
+
+    def test_read_results_are_saved_again(self):
+        self.results.save(self.path("a.results"))
+        slalom.read_results(self.path("a.results")).save(self.path("b.results"))
+        self.assertEqual(repr(slalom.read_results(self.path("b.results"))), repr(self.results))
+
+    def test_files_that_are_no_results_are_neither_read_nor_replaced(self):
+        path = self.path("text.results")
+        pathlib.Path(path).write_text("mine")
+        with self.assertRaisesRegex(slalom.Error, "text.results"):
+            slalom.read_results(path)
+        with self.assertRaisesRegex(slalom.Error, "text.results.*not replaced"):
+            self.results.save(path)
+        self.assertEqual(pathlib.Path(path).read_text(), "mine")
+        with self.assertRaisesRegex(slalom.Error, "FILE.results"):
+            self.results.save(self.path("saved.csv"))
+
+    def test_reports_are_pages(self):
+        index = self.results.report(self.path("report"), rows="density:2", columns=["success"])
+        self.assertIn("gap", pathlib.Path(index).read_text())
+
+    def test_comparisons_name_the_difference(self):
+        text = self.results.compare(metrics=["success"], baseline="gap")
+        self.assertRegex(text, r"success +gap +fails")
+        self.assertNotRegex(text, r"success +direct +fails")
+        again = slalom.evaluate({"gap": slalom.plugin("libslalom_follow_the_gap.so")}, small(), **QUICK)
+        text = self.results.compare(again, metrics=["success"], method="gap")
+        self.assertRegex(text, r"gap \(evaluation-\d+.results\) and gap .* are identical in success")
+
+    def test_figures_are_shown_or_written(self):
+        figure = self.results.figure(scenario=self.results["scenario"][0], method="gap")
+        self.assertTrue(figure._repr_svg_().startswith("<svg"))
+        self.assertLess(len(repr(figure)), 80)
+        self.assertIsNone(self.results.figure(self.path("scene.svg"), scenario=self.results["scenario"][0], method="gap"))
+        self.assertEqual(pathlib.Path(self.path("scene.svg")).read_text(), figure)
+        for message, options in {"no such scenario": {"scenario": "none"}, "--scenario,--cell": {}}.items():
+            with self.assertRaisesRegex(slalom.Error, "(?<!slalom-analyze: )" + message):
+                self.results.figure(**options)
+
+    def test_temporary_files_last_as_long_as_the_results_and_their_copies(self):
+        results = slalom.evaluate({"direct": Direct}, small(1), **QUICK)
+        file, text = pathlib.Path(results._path), repr(results)
+        copied = copy.copy(results)
+        del results
+        self.assertEqual(repr(copied), text)
+        del copied
+        self.assertFalse(file.exists())
+
+    def test_misspelled_columns_are_answered_with_the_nearest(self):
+        for columns, wrong, right in (
+            (self.results, "sucess", "success"),
+            (self.results.reasons, "optimalty", "optimality"),
+            (self.results.timing, "cycle_time_meen", "cycle_time_mean"),
+        ):
+            with self.assertRaises(KeyError) as raised:
+                columns[wrong]
+            self.assertEqual(str(raised.exception), f"no column '{wrong}'; did you mean '{right}'?")
+        with self.assertRaisesRegex(KeyError, "expected one of scenario, scenario_hash"):
+            self.results["q"]
+        self.assertIsNone(self.results.get("sucess"))
+
+    def test_reasons_are_a_column_too(self):
+        row = self.results["method"].index("fails")
+        self.assertEqual(self.results["reasons"][row]["optimality"], "outcome: method_error")
+        self.assertIn("RuntimeError: lost", self.results["detail"][row])
+        self.assertEqual(self.results.reasons["density"], {})
+
+
+class Stubs(unittest.TestCase):
+    """_slalom.pyi, which type checkers read instead of the extension module."""
+
+    def setUp(self):
+        text = pathlib.Path(slalom.__file__).with_name("_slalom.pyi").read_text()
+        self.stubs = {node.name: node for node in ast.parse(text).body if hasattr(node, "name")}
+
+    def test_the_extension_module_has_the_functions_and_classes_that_are_declared(self):
+        present = {name for name in dir(slalom._slalom) if not name.startswith("__")}
+        self.assertEqual(set(self.stubs), present)
+
+    def test_classes_have_the_members_that_are_declared(self):
+        for name in ("Scenario", "ResultTable"):
+            declared = {node.name for node in self.stubs[name].body if hasattr(node, "name")}
+            members = {member for member in vars(getattr(slalom._slalom, name)) if not member.startswith("__")}
+            self.assertEqual(declared, members)
+
+    def test_functions_have_the_parameters_that_are_declared(self):
+        for name, node in self.stubs.items():
+            if isinstance(node, ast.FunctionDef):
+                parameters = re.findall(r"arg\d+:", getattr(slalom._slalom, name).__doc__.splitlines()[0])
+                self.assertEqual(len(node.args.args), len(parameters), name)
+
+    def test_all_that_users_call_is_annotated(self):
+        self.assertTrue(pathlib.Path(slalom.__file__).with_name("py.typed").exists())
+        public = [getattr(slalom, name) for name in slalom.__all__]
+        functions = [one for one in public if inspect.isfunction(one)]
+        functions += [one for _, one in inspect.getmembers(slalom.Results, inspect.isfunction)]
+        self.assertGreater(len(functions), 10)
+        for function in functions:
+            signature = inspect.signature(function)
+            self.assertIsNot(signature.return_annotation, signature.empty, function)
+            for parameter in list(signature.parameters.values()):
+                if parameter.name != "self":
+                    self.assertIsNot(parameter.annotation, parameter.empty, f"{function} {parameter}")
 
 
 class Scenarios(unittest.TestCase):

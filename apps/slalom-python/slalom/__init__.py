@@ -12,9 +12,18 @@ A method is a class as described in docs/methods.md. Lengths are in m, angles in
 
 from __future__ import annotations
 
+import atexit
+import contextlib
 import copy
+import difflib
+import functools
+import itertools
 import json
 import os
+import shutil
+import subprocess
+import tempfile
+import weakref
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
@@ -23,9 +32,11 @@ from . import _slalom
 __all__ = [
     "Certificate",
     "Error",
+    "Figure",
     "Results",
     "Scenario",
     "TRAJECTORY_COLUMNS",
+    "UnknownColumn",
     "barrier_filter",
     "certify",
     "evaluate",
@@ -33,6 +44,7 @@ __all__ = [
     "mrpt_holonomic",
     "onnx",
     "plugin",
+    "read_results",
     "read_scenarios",
     "tune",
     "write_scenarios",
@@ -58,11 +70,38 @@ TRAJECTORY_COLUMNS = (
 Method = Union[type, Tuple[type, Dict[str, Any]], Dict[str, Any]]
 
 
-class Results(Dict[str, Any]):
+class UnknownColumn(KeyError):
+    """A misspelled column; the nearest one is suggested."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class Columns(Dict[str, Any]):
+    """Values by the name of a column. Raises UnknownColumn for others."""
+
+    def __missing__(self, key: str) -> Any:
+        near = difflib.get_close_matches(str(key), self, 1)
+        hint = f"did you mean '{near[0]}'?" if near else "expected one of " + ", ".join(self)
+        raise UnknownColumn(f"no column '{key}'; {hint}")
+
+
+class Figure(str):
+    """A figure as SVG, which notebooks show."""
+
+    def _repr_svg_(self) -> str:
+        return str(self)
+
+    def __repr__(self) -> str:
+        return f"<slalom.Figure, {len(self)} characters of SVG>"
+
+
+class Results(Columns):
     """The results by column, one value per run, in the order of scenario, method and repetition.
+    As text it is a summary of the methods.
 
     pandas.DataFrame(results) is a data frame. Metrics and descriptors are float64 arrays, NaN where
-    a value is not available; `reasons[column][row]` says why. `timing` has columns of
+    a value is not available; `reasons[column][row]`, and the column "reasons", say why. `timing` has columns of
     wall-clock figures, which differ from run to run. `trajectories` has for each run an
     array of samples with TRAJECTORY_COLUMNS, or is None.
     """
@@ -74,12 +113,17 @@ class Results(Dict[str, Any]):
         reasons: Dict[str, Dict[int, str]],
         trajectories: Optional[List[Any]],
         table: _slalom.ResultTable,
+        path: str,
     ) -> None:
         super().__init__(columns)
-        self.timing = timing
-        self.reasons = reasons
+        self.timing = Columns(timing)
+        self.reasons: Dict[str, Dict[int, str]] = Columns(reasons)
         self.trajectories = trajectories
         self._table = table
+        self._path = path
+
+    def __repr__(self) -> str:
+        return _slalom.summary(self._table, self._path)
 
     @property
     def manifest(self) -> Dict[str, str]:
@@ -91,6 +135,117 @@ class Results(Dict[str, Any]):
         "density:4" (bins of equal width), "density:q4" (with equal numbers of scenarios) or
         "density:0,0.1,0.2" (edges)."""
         return _slalom.cross_table(self._table, rows, columns, confidence)
+
+    def save(self, path: str) -> None:
+        """Writes a result file (.results), with the trajectories, for read_results() and slalom-analyze."""
+        _slalom.save_results(self._path, os.fspath(path))
+
+    def compare(
+        self,
+        *others: Results,
+        metrics: Optional[Sequence[str]] = None,
+        baseline: Optional[str] = None,
+        method: Optional[str] = None,
+        relevant: Optional[float] = None,
+        power: Optional[float] = None,
+        confidence: Optional[float] = None,
+    ) -> str:
+        """Paired comparisons of the methods as text: of all pairs, with `baseline` only, or with the
+        same methods in other results; the arguments are the options of slalom-analyze compare."""
+        options = dict(
+            metric=metrics,
+            baseline=baseline,
+            method=method,
+            relevant=relevant,
+            power=power,
+            confidence=confidence,
+        )
+        return _analyze("compare", [self, *others], options)
+
+    def report(
+        self,
+        folder: str,
+        *,
+        rows: Optional[str] = None,
+        columns: Optional[Sequence[str]] = None,
+        confidence: Optional[float] = None,
+    ) -> str:
+        """Writes a report of web pages into the folder, and returns the path of the first one."""
+        options = dict(rows=rows, columns=columns, confidence=confidence, output=os.path.abspath(folder))
+        _analyze("report", [self], options)
+        return os.path.join(folder, "index.html")
+
+    def figure(
+        self,
+        path: Optional[str] = None,
+        *,
+        scenario: Optional[str] = None,
+        cell: Optional[str] = None,
+        animate: Optional[str] = None,
+        profile: Optional[str] = None,
+        ranks: Optional[str] = None,
+        method: Optional[str] = None,
+        count: Optional[int] = None,
+        columns: Optional[int] = None,
+        pixels: Optional[int] = None,
+    ) -> Optional[Figure]:
+        """A figure of the runs in a scenario or a cell, an animated run, performance profiles or ranks:
+        the arguments are the options of slalom-analyze figure. With a path (.svg or .pdf) it is
+        written there instead."""
+        options = dict(
+            scenario=scenario,
+            cell=cell,
+            animate=animate,
+            profile=profile,
+            ranks=ranks,
+            method=method,
+            count=count,
+            columns=columns,
+            pixels=pixels,
+        )
+        if path is not None:
+            _analyze("figure", [self], dict(options, output=os.path.abspath(path)))
+            return None
+        with tempfile.TemporaryDirectory(prefix="slalom-") as folder:
+            path = os.path.join(folder, "figure.svg")
+            _analyze("figure", [self], dict(options, output=path))
+            with open(path, encoding="utf-8") as file:
+                return Figure(file.read())
+
+
+def _analyze(verb: str, results: Sequence[Results], options: Dict[str, Any]) -> str:
+    """What slalom-analyze prints, with short names for the files of evaluate(). Raises Error with
+    its message."""
+    folder = _evaluation_folder()
+    paths = [one._path for one in results]
+    names = [os.path.basename(path) if os.path.dirname(path) == folder else path for path in paths]
+    words = [_find_program("slalom-analyze"), verb, *names]
+    for name, value in options.items():
+        if value is not None:
+            is_list = isinstance(value, (list, tuple))
+            words.append(f"--{name}={','.join(map(str, value)) if is_list else value}")
+    done = subprocess.run(words, capture_output=True, encoding="utf-8", cwd=folder)
+    if done.returncode != 0:
+        raise Error(done.stderr.strip().replace("slalom-analyze: ", "", 1))
+    return done.stdout
+
+
+def _find_program(name: str) -> str:
+    """The path of a program of the same version: built, installed, or on PATH."""
+    package = os.path.dirname(os.path.abspath(__file__))
+    for folder in ("../../../bin", "../../../../bin"):
+        path = os.path.abspath(os.path.join(package, folder, name))
+        if os.path.isfile(path):
+            return path
+    found = shutil.which(name)
+    if found is None:
+        raise Error(f"{name} is not installed; expected the package slalom")
+    return found
+
+
+def read_results(path: str, *, trajectories: bool = False) -> Results:
+    """Reads a result file (.results), or a folder with the shards of a campaign. Raises Error."""
+    return Results(*_slalom.read_results(os.path.abspath(path), trajectories))
 
 
 def generate(
@@ -160,8 +315,9 @@ def evaluate(
         "people": people,
         **{f"laser.{name}": keys for name, keys in (lasers or {}).items()},
     }
-    return Results(
-        *_slalom.evaluate(
+    path = os.path.join(_evaluation_folder(), f"evaluation-{next(_evaluations)}.results")
+    try:
+        parts = _slalom.evaluate(
             dict(methods),
             list(scenarios),
             sections,
@@ -173,8 +329,32 @@ def evaluate(
             in_process,
             trajectories,
             progress,
+            path,
         )
-    )
+    except BaseException:
+        _remove(path)
+        raise
+    results = Results(*parts)
+    # Copies of the results share the table, and so the file.
+    weakref.finalize(results._table, _remove, path)
+    return results
+
+
+#: Numbers in the names of files, by which comparisons tell results from each other.
+_evaluations = itertools.count(1)
+
+
+@functools.lru_cache(maxsize=None)
+def _evaluation_folder() -> str:
+    """The folder with the result files of this process, which is removed when it ends."""
+    folder = tempfile.mkdtemp(prefix="slalom-")
+    atexit.register(shutil.rmtree, folder, True)
+    return folder
+
+
+def _remove(path: str) -> None:
+    with contextlib.suppress(OSError):
+        os.remove(path)
 
 
 class Certificate(Dict[str, Any]):

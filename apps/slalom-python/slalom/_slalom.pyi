@@ -22,6 +22,9 @@ class Scenario:
     def goal(self) -> Tuple[float, float]:
         """x, y (m)."""
     @property
+    def goal_heading(self) -> Optional[float]:
+        """rad; None if any will do."""
+    @property
     def bounds(self) -> Tuple[float, float, float, float]:
         """x_min, y_min, x_max, y_max (m)."""
     @property
@@ -40,6 +43,10 @@ class ResultTable:
     @property
     def manifest(self) -> Dict[str, str]: ...
 
+_Results = Tuple[
+    Dict[str, Any], Dict[str, Any], Dict[str, Dict[int, str]], Optional[List[Any]], ResultTable, str
+]
+
 def read_scenarios(path: str) -> List[Scenario]: ...
 def write_scenarios(path: str, scenarios: Sequence[Scenario]) -> None: ...
 def generate(
@@ -57,9 +64,11 @@ def evaluate(
     in_process: bool,
     trajectories: bool,
     progress: Optional[Callable[[str, int, int], None]],
-) -> Tuple[
-    Dict[str, Any], Dict[str, Any], Dict[str, Dict[int, str]], Optional[List[Any]], ResultTable
-]: ...
+    output: str,
+) -> _Results: ...
+def read_results(path: str, trajectories: bool) -> _Results: ...
+def save_results(path: str, output: str) -> None: ...
+def summary(table: ResultTable, path: str) -> str: ...
 def certify(
     kind: str, question: str, method: Any, sections: Dict[str, Any], workers: int, output: str
 ) -> Tuple[str, str]: ...
