@@ -305,6 +305,37 @@ class Package(unittest.TestCase):
             results = slalom.evaluate({"policy": slalom.onnx(path, scan_size=61)}, small(1), simulation={"max_time": 5}, **QUICK)
         self.assertIn(results["outcome"][0], ["success", "collision", "timeout", "stuck"])
 
+    def run_talking_method(self, options):
+        """Standard output and error of a program whose method prints, and what is kept with the run."""
+        program = (
+            "import slalom, sys\n"
+            "class Talks:\n"
+            "    def step(self, o):\n"
+            "        print('printed')\n"
+            "        print('complained', file=sys.stderr)\n"
+            "        sys.exit()\n"
+            "print('program')\n"
+            f"results = slalom.evaluate({{'a': Talks}}, slalom.generate('random', 1), {options})\n"
+            "if len(sys.argv) > 1: results.save(sys.argv[1])\n"
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.results")
+            done = subprocess.run([sys.executable, "-c", program, path], capture_output=True, text=True, check=True)
+            words = [PROGRAMS / "slalom-analyze", "show", path, "--run", "random_0000/a/0"]
+            kept = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+        return done.stdout, done.stderr, kept
+
+    def test_what_methods_print_is_shown_on_request(self):
+        out, err, kept = self.run_talking_method("show_output=True")
+        self.assertEqual(out, "program\n")
+        self.assertEqual(err.splitlines()[:2], ["printed", "complained"])
+        self.assertNotIn("printed\n", kept)
+
+    def test_what_methods_print_is_kept_with_their_runs(self):
+        out, err, kept = self.run_talking_method("show_output=False")
+        self.assertEqual((out, err), ("program\n", ""))
+        self.assertIn("  printed\n  complained\n", kept)
+
     def test_other_threads_do_not_block_workers(self):
         stop = threading.Event()
         thread = threading.Thread(target=lambda: [None for _ in iter(stop.is_set, True)])

@@ -22,6 +22,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import weakref
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
@@ -294,6 +295,7 @@ def evaluate(
     workers: int = 1,
     in_process: bool = False,
     trajectories: bool = False,
+    show_output: bool = False,
     progress: Optional[Callable[[str, int, int], None]] = None,
 ) -> Results:
     """Runs every method in every scenario and computes metrics and descriptors.
@@ -302,7 +304,7 @@ def evaluate(
     barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits`,
     `tracks` and `people` are dicts of the keys of these sections in a campaign's .ini, `lasers` a dict of names to the keys
     of [laser.NAME]. Methods run in worker processes, unless
-    `in_process`. `progress(phase, done, total)` is called meanwhile. Raises Error for invalid
+    `in_process`. With `show_output` what they print stands on the terminal (standard error). `progress(phase, done, total)` is called meanwhile. Raises Error for invalid
     arguments, and KeyboardInterrupt after Ctrl-C.
     """
     sections = {
@@ -310,12 +312,14 @@ def evaluate(
         "sensor": sensor,
         "odometry": odometry,
         "simulation": simulation,
-        "limits": limits,
+        "limits": {**(limits or {}), "method_errors": True} if show_output else limits,
         "tracks": tracks,
         "people": people,
         **{f"laser.{name}": keys for name, keys in (lasers or {}).items()},
     }
     path = os.path.join(_evaluation_folder(), f"evaluation-{next(_evaluations)}.results")
+    global _evaluating
+    _evaluating += 1
     try:
         parts = _slalom.evaluate(
             dict(methods),
@@ -334,6 +338,8 @@ def evaluate(
     except BaseException:
         _remove(path)
         raise
+    finally:
+        _evaluating -= 1
     results = Results(*parts)
     # Copies of the results share the table, and so the file.
     weakref.finalize(results._table, _remove, path)
@@ -350,6 +356,24 @@ def _evaluation_folder() -> str:
     folder = tempfile.mkdtemp(prefix="slalom-")
     atexit.register(shutil.rmtree, folder, True)
     return folder
+
+
+#: Calls of evaluate() that have not ended.
+_evaluating = 0
+
+
+def _print_lines_at_once() -> None:
+    """Lets print() of a worker write where its process does: the streams of this process may keep
+    text until they are full, or send it to a notebook through descriptors that are closed."""
+    if _evaluating:
+        _kept_streams.extend((sys.stdout, sys.stderr))  # they would write what they keep once more
+        sys.stdout, sys.stderr = (
+            open(descriptor, "w", 1, "utf-8", "backslashreplace", closefd=False) for descriptor in (1, 2)
+        )
+
+
+_kept_streams: List[Any] = []
+os.register_at_fork(after_in_child=_print_lines_at_once)
 
 
 def _remove(path: str) -> None:

@@ -159,7 +159,8 @@ void LimitsSection::visit(OptionVisitor& v) {
            Range::at_least(0));
   v.option("memory_mb", memory_mb, "MiB", "memory limit of a worker for methods; 0: unlimited",
            Range::at_least(0));
-  v.option("method_errors", method_errors, "show the standard error output of methods");
+  v.option("method_errors", method_errors,
+           "show on standard error what methods print, instead of keeping it with their runs");
   v.option("sandbox", sandbox,
            "methods can write files only to their own folder for temporary files (Linux 5.13)");
   v.option("network", network, "methods can use networks; those over LCM must");

@@ -38,9 +38,10 @@ Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log, File
   }
 }
 
-/// Each line arrives, also if the process dies.
+/// Each line arrives, also if the process dies. Output that is shown is that of `keep_stderr`,
+/// since the program's own output may be data.
 void print_to(int file, bool keep_stderr) {
-  dup2(file, STDOUT_FILENO);
+  dup2(keep_stderr ? STDERR_FILENO : file, STDOUT_FILENO);
   if (!keep_stderr) dup2(file, STDERR_FILENO);
   close(file);
   static char buffer[BUFSIZ];  // another one, since lines are not ended in one that is in use

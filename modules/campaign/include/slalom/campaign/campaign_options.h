@@ -41,7 +41,7 @@ struct LimitsSection {
   double run_wall_time = 60;   ///< s of wall-clock time per run
   double run_cpu_time = 0;     ///< s of CPU time per run; 0: unlimited
   double memory_mb = 2048;     ///< MiB a worker may allocate after its start; 0: unlimited
-  bool method_errors = false;  ///< show the standard error output of methods
+  bool method_errors = false;  ///< show what methods print, on standard error
   bool sandbox = false;        ///< methods can write only to their folder for temporary files
   bool network = true;         ///< methods can make sockets of networks
 

@@ -96,7 +96,8 @@ struct PoolOptions {
   WorkHooks hooks = {};
   SharedInputs inputs = {};
   std::size_t log_size = 0;  ///< bytes, capacity of the shared log
-  bool keep_stderr = false;  ///< do not discard the workers' standard error
+  /// Show on standard error what confined workers print, and keep none of it in the results.
+  bool keep_stderr = false;
 };
 
 /// The detail of a work item whose payload was not valid.
