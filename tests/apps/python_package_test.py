@@ -5,6 +5,7 @@ import ast
 import copy
 import importlib.util
 import inspect
+import io
 import math
 import os
 import pathlib
@@ -14,7 +15,9 @@ import subprocess
 import sys
 import tempfile
 import threading
+import types
 import unittest
+from unittest import mock
 
 import numpy as np
 import slalom
@@ -261,6 +264,47 @@ class Package(unittest.TestCase):
         calls = []
         slalom.evaluate({"a": Direct}, small(2), progress=lambda *call: calls.append(call), **QUICK)
         self.assertEqual(calls[-1][1:], (2, 2))
+
+    def test_a_bar_is_drawn_ten_times_per_second_and_cleared(self):
+        stream, now = io.StringIO(), [0.0]
+        bar = slalom._Bar(stream, lambda: now[0])
+        for now[0], done in ((0.0, 0), (0.05, 1), (0.125, 2)):
+            bar("runs", done, 4)
+        first, second = "\rruns [" + 20 * " " + "] 0/4", "\rruns [" + 10 * "#" + 10 * " " + "] 2/4"
+        self.assertEqual(stream.getvalue(), first + second)
+        bar.clear()
+        self.assertEqual(stream.getvalue(), first + second + "\r" + (len(second) - 1) * " " + "\r")
+
+    def test_terminals_show_a_bar_and_files_do_not(self):
+        program = (
+            "import slalom, sys\n"
+            "class Stands:\n"
+            "    def step(self, o): return 0, 0\n"
+            "slalom.evaluate({'a': Stands}, slalom.generate('random', 2), progress=len(sys.argv) == 1)\n"
+        )
+        for words, expected in (([], "] 0/2"), (["quiet"], None)):
+            terminal, inside = os.openpty()
+            with open(terminal, "rb", buffering=0) as output, tempfile.TemporaryFile() as file:
+                command = [sys.executable, "-c", program, *words]
+                subprocess.run(command, check=True, stdout=file, stderr=inside)
+                os.write(inside, b"end")
+                drawn = b""
+                while not drawn.endswith(b"end"):
+                    drawn += output.read(4096)
+                os.close(inside)
+                self.assertEqual(drawn.decode() == "end", expected is None, drawn)
+                self.assertIn(expected or "", drawn.decode())
+                subprocess.run(command, check=True, stdout=file, stderr=file)
+                self.assertEqual(os.fstat(file.fileno()).st_size, 0)
+
+    def test_notebooks_show_a_bar(self):
+        class ZMQInteractiveShell:
+            pass
+
+        notebook = types.SimpleNamespace(get_ipython=ZMQInteractiveShell)
+        with mock.patch.dict(sys.modules, IPython=notebook), mock.patch("sys.stderr", io.StringIO()) as drawn:
+            slalom.evaluate({"a": Direct}, small(2), **QUICK)
+        self.assertIn("] 0/2", drawn.getvalue())
 
     def test_invalid_arguments_are_errors(self):
         for message, call in {

@@ -24,8 +24,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import weakref
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, TextIO, Tuple, Union
 
 from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
 from . import _slalom
@@ -296,7 +297,7 @@ def evaluate(
     in_process: bool = False,
     trajectories: bool = False,
     show_output: bool = False,
-    progress: Optional[Callable[[str, int, int], None]] = None,
+    progress: Union[bool, Callable[[str, int, int], None]] = True,
 ) -> Results:
     """Runs every method in every scenario and computes metrics and descriptors.
 
@@ -304,7 +305,8 @@ def evaluate(
     barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits`,
     `tracks` and `people` are dicts of the keys of these sections in a campaign's .ini, `lasers` a dict of names to the keys
     of [laser.NAME]. Methods run in worker processes, unless
-    `in_process`. With `show_output` what they print stands on the terminal (standard error). `progress(phase, done, total)` is called meanwhile. Raises Error for invalid
+    `in_process`. With `show_output` what they print stands on the terminal (standard error). `progress(phase, done, total)` is called meanwhile; True is a bar
+    on a terminal or in a notebook, and nothing in a file. Raises Error for invalid
     arguments, and KeyboardInterrupt after Ctrl-C.
     """
     sections = {
@@ -320,6 +322,9 @@ def evaluate(
     path = os.path.join(_evaluation_folder(), f"evaluation-{next(_evaluations)}.results")
     global _evaluating
     _evaluating += 1
+    # A bar would stand between the lines that are shown.
+    is_drawn = progress is True and not show_output and _shows_bars(sys.stderr)
+    bar = _Bar(sys.stderr) if is_drawn else None
     try:
         parts = _slalom.evaluate(
             dict(methods),
@@ -332,7 +337,7 @@ def evaluate(
             workers,
             in_process,
             trajectories,
-            progress,
+            progress if callable(progress) else bar,
             path,
         )
     except BaseException:
@@ -340,6 +345,8 @@ def evaluate(
         raise
     finally:
         _evaluating -= 1
+        if bar:
+            bar.clear()
     results = Results(*parts)
     # Copies of the results share the table, and so the file.
     weakref.finalize(results._table, _remove, path)
@@ -379,6 +386,41 @@ os.register_at_fork(after_in_child=_print_lines_at_once)
 def _remove(path: str) -> None:
     with contextlib.suppress(OSError):
         os.remove(path)
+
+
+def _shows_bars(stream: Optional[TextIO]) -> bool:
+    """Whether it is a terminal, or that of a notebook."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    is_terminal = stream is not None and stream.isatty()
+    return is_terminal or type(shell).__name__ == "ZMQInteractiveShell"
+
+
+class _Bar:
+    """A line that says how far a long job is, redrawn ten times per second at most."""
+
+    def __init__(self, stream: TextIO, clock: Callable[[], float] = time.monotonic) -> None:
+        self._stream = stream
+        self._clock = clock
+        self._next = -float("inf")
+        self._width = 0
+
+    def __call__(self, phase: str, done: int, total: int) -> None:
+        if self._clock() < self._next:
+            return
+        self._next = self._clock() + 0.1
+        filled = 20 * done // max(total, 1)
+        text = f"{phase} [{'#' * filled}{' ' * (20 - filled)}] {done}/{total}"
+        self._draw(text[: shutil.get_terminal_size().columns - 1])
+
+    def clear(self) -> None:
+        self._draw("")
+        self._stream.write("\r")
+
+    def _draw(self, text: str) -> None:
+        self._stream.write("\r" + text.ljust(self._width))
+        self._stream.flush()
+        self._width = len(text)
 
 
 class Certificate(Dict[str, Any]):
