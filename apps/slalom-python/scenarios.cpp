@@ -67,7 +67,8 @@ void write_scenarios(const std::string& path, const std::vector<Scenario>& scena
 }
 
 std::vector<Scenario> generate_family(const std::string& family, int count, std::uint64_t seed,
-                                      int workers, const py::dict& sections) {
+                                      int workers, const py::dict& sections,
+                                      const py::object& progress) {
   const IniFile ini = to_ini(sections);
   Options options = read_evaluate_options(ini);
   options.workers = workers;
@@ -77,8 +78,15 @@ std::vector<Scenario> generate_family(const std::string& family, int count, std:
   options.goal_headings = section.goal_headings;
   GeneratorContext context;
   context.load_map = load_occupancy_grid;
-  return generate(std::shared_ptr<const Generator>(make_generator(family, ini, context)), count,
-                  seed, options);
+  // Called on any of the threads; signals are those of the one that called generate().
+  options.progress = [&progress](const std::string& phase, std::size_t done, std::size_t total) {
+    const py::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!progress.is_none()) progress(phase, done, total);
+  };
+  const std::shared_ptr<const Generator> generator = make_generator(family, ini, context);
+  const py::gil_scoped_release unlocked;
+  return generate(generator, count, seed, options);
 }
 
 }  // namespace

@@ -280,9 +280,11 @@ class Package(unittest.TestCase):
             "import slalom, sys\n"
             "class Stands:\n"
             "    def step(self, o): return 0, 0\n"
-            "slalom.evaluate({'a': Stands}, slalom.generate('random', 2), progress=len(sys.argv) == 1)\n"
+            "bar = len(sys.argv) == 1\n"
+            "slalom.evaluate({'a': Stands}, slalom.generate('random', 2, progress=bar), progress=bar)\n"
         )
-        for words, expected in (([], "] 0/2"), (["quiet"], None)):
+        phases = ["Generating scenarios", "Describing scenarios", "Running methods"]
+        for words, expected in (([], phases), (["quiet"], [])):
             terminal, inside = os.openpty()
             with open(terminal, "rb", buffering=0) as output, tempfile.TemporaryFile() as file:
                 command = [sys.executable, "-c", program, *words]
@@ -292,8 +294,8 @@ class Package(unittest.TestCase):
                 while not drawn.endswith(b"end"):
                     drawn += output.read(4096)
                 os.close(inside)
-                self.assertEqual(drawn.decode() == "end", expected is None, drawn)
-                self.assertIn(expected or "", drawn.decode())
+                self.assertEqual(re.findall(r"(\w+ \w+) \[ +\] 0/2", drawn.decode()), expected)
+                self.assertEqual(drawn == b"end", not expected)
                 subprocess.run(command, check=True, stdout=file, stderr=file)
                 self.assertEqual(os.fstat(file.fileno()).st_size, 0)
 
@@ -574,6 +576,26 @@ class Scenarios(unittest.TestCase):
     def test_generation_is_repeatable(self):
         self.assertEqual(small(), small())
         self.assertEqual(len({scenario.hash for scenario in small()}), 3)
+
+    def test_progress_is_reported_from_all_threads(self):
+        for workers in (1, 3):
+            calls = []
+            made = small(workers=workers, progress=lambda *call: calls.append(call))
+            self.assertEqual(made, small())
+            self.assertEqual((calls[0][1:], calls[-1][1:]), ((0, 3), (3, 3)))
+
+    def test_a_failing_progress_function_and_ctrl_c_end_the_generation(self):
+        def refuse(phase, done, total):
+            raise RuntimeError("enough")
+
+        def interrupt(phase, done, total):
+            signal.raise_signal(signal.SIGINT)
+
+        for workers in (1, 3):
+            with self.assertRaisesRegex(RuntimeError, "enough"):
+                small(workers=workers, progress=refuse)
+            with self.assertRaises(KeyboardInterrupt):
+                small(workers=workers, progress=interrupt)
 
     def test_lists_keep_scenarios(self):
         with tempfile.TemporaryDirectory() as folder:

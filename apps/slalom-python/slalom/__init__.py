@@ -26,7 +26,7 @@ import sys
 import tempfile
 import time
 import weakref
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, TextIO, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, TextIO, Tuple, Union
 
 from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
 from . import _slalom
@@ -70,6 +70,11 @@ TRAJECTORY_COLUMNS = (
 
 #: A class, a class and its options, or keys as in an .ini: see docs/methods.md.
 Method = Union[type, Tuple[type, Dict[str, Any]], Dict[str, Any]]
+
+
+#: True: a bar on a terminal or in a notebook. False: none. Or a function that is called with the phase,
+#: the number of its steps that are done, and in total.
+Progress = Union[bool, Callable[[str, int, int], None]]
 
 
 class UnknownColumn(KeyError):
@@ -260,6 +265,7 @@ def generate(
     goal_headings: bool = False,
     robot: Optional[Dict[str, Any]] = None,
     simulation: Optional[Dict[str, Any]] = None,
+    progress: Progress = True,
     **options: Any,
 ) -> List[Scenario]:
     """Generates distinct scenarios that are solvable for the robot.
@@ -267,6 +273,7 @@ def generate(
     `family` is the name of a generator ("random", "maze", ...), `options` are the keys of its section
     in an .ini; `robot` and `simulation` are dicts of the keys of theirs. `walkers` moving obstacles
     are added to each scenario. With `goal_headings` goals have random headings. `workers` is the number of threads; 0 is one per core.
+    `progress` as of evaluate().
     """
     sections = {
         "robot": robot,
@@ -274,7 +281,8 @@ def generate(
         "scenarios": {"walkers": walkers, "goal_headings": goal_headings},
         "generator." + family: options,
     }
-    return _slalom.generate(family, count, seed, workers, sections)
+    with _drawn(progress) as report:
+        return _slalom.generate(family, count, seed, workers, sections, report)
 
 
 def evaluate(
@@ -297,7 +305,7 @@ def evaluate(
     in_process: bool = False,
     trajectories: bool = False,
     show_output: bool = False,
-    progress: Union[bool, Callable[[str, int, int], None]] = True,
+    progress: Progress = True,
 ) -> Results:
     """Runs every method in every scenario and computes metrics and descriptors.
 
@@ -322,31 +330,29 @@ def evaluate(
     path = os.path.join(_evaluation_folder(), f"evaluation-{next(_evaluations)}.results")
     global _evaluating
     _evaluating += 1
-    # A bar would stand between the lines that are shown.
-    is_drawn = progress is True and not show_output and _shows_bars(sys.stderr)
-    bar = _Bar(sys.stderr) if is_drawn else None
+    if show_output and progress is True:
+        progress = False  # a bar would stand between the lines that are shown
     try:
-        parts = _slalom.evaluate(
-            dict(methods),
-            list(scenarios),
-            sections,
-            metrics,
-            descriptors,
-            seed,
-            repetitions,
-            workers,
-            in_process,
-            trajectories,
-            progress if callable(progress) else bar,
-            path,
-        )
+        with _drawn(progress) as report:
+            parts = _slalom.evaluate(
+                dict(methods),
+                list(scenarios),
+                sections,
+                metrics,
+                descriptors,
+                seed,
+                repetitions,
+                workers,
+                in_process,
+                trajectories,
+                report,
+                path,
+            )
     except BaseException:
         _remove(path)
         raise
     finally:
         _evaluating -= 1
-        if bar:
-            bar.clear()
     results = Results(*parts)
     # Copies of the results share the table, and so the file.
     weakref.finalize(results._table, _remove, path)
@@ -402,12 +408,14 @@ class _Bar:
     def __init__(self, stream: TextIO, clock: Callable[[], float] = time.monotonic) -> None:
         self._stream = stream
         self._clock = clock
-        self._next = -float("inf")
+        self._phase = ""
+        self._next = 0.0
         self._width = 0
 
     def __call__(self, phase: str, done: int, total: int) -> None:
-        if self._clock() < self._next:
+        if phase == self._phase and self._clock() < self._next:
             return
+        self._phase = phase
         self._next = self._clock() + 0.1
         filled = 20 * done // max(total, 1)
         text = f"{phase} [{'#' * filled}{' ' * (20 - filled)}] {done}/{total}"
@@ -421,6 +429,21 @@ class _Bar:
         self._stream.write("\r" + text.ljust(self._width))
         self._stream.flush()
         self._width = len(text)
+
+
+@contextlib.contextmanager
+def _drawn(progress: Progress) -> Iterator[Optional[Callable[[str, int, int], None]]]:
+    """The function to call; a bar is cleared in the end."""
+    if callable(progress):
+        yield progress
+    elif progress and _shows_bars(sys.stderr):
+        bar = _Bar(sys.stderr)
+        try:
+            yield bar
+        finally:
+            bar.clear()
+    else:
+        yield None
 
 
 class Certificate(Dict[str, Any]):

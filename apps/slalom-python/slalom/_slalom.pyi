@@ -50,7 +50,12 @@ _Results = Tuple[
 def read_scenarios(path: str) -> List[Scenario]: ...
 def write_scenarios(path: str, scenarios: Sequence[Scenario]) -> None: ...
 def generate(
-    family: str, count: int, seed: int, workers: int, sections: Dict[str, Any]
+    family: str,
+    count: int,
+    seed: int,
+    workers: int,
+    sections: Dict[str, Any],
+    progress: Optional[Callable[[str, int, int], None]],
 ) -> List[Scenario]: ...
 def evaluate(
     methods: Dict[str, Any],
