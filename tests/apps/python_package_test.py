@@ -572,6 +572,30 @@ class Stubs(unittest.TestCase):
                     self.assertIsNot(parameter.annotation, parameter.empty, f"{function} {parameter}")
 
 
+class Interpreters(unittest.TestCase):
+    def import_with(self, words, folder):
+        done = subprocess.run(
+            [sys.executable, *words, "-c", "import slalom"],
+            capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(folder)},
+        )
+        return done.stderr.splitlines()[-1] if done.returncode else ""
+
+    def test_another_version_of_python_is_told_which_one_is_expected(self):
+        with tempfile.TemporaryDirectory() as folder:
+            package = pathlib.Path(folder, "slalom")
+            package.mkdir()
+            package.joinpath("__init__.py").write_text(pathlib.Path(slalom.__file__).read_text())
+            package.joinpath("_slalom.cpython-32-x86_64-linux-gnu.so").touch()
+            this = f"{sys.executable} is Python {sys.version_info[0]}.{sys.version_info[1]}"
+            expected = f"ImportError: slalom: {this}; expected Python 3.2, for which Slalom was built"
+            self.assertEqual(self.import_with([], folder), expected)
+
+    def test_a_python_without_numpy_is_told_so(self):
+        folder = pathlib.Path(slalom.__file__).parents[1]
+        self.assertRegex(self.import_with(["-S"], folder), "without NumPy; expected NumPy for it")
+        self.assertEqual(self.import_with([], folder), "")
+
+
 class Scenarios(unittest.TestCase):
     def test_generation_is_repeatable(self):
         self.assertEqual(small(), small())

@@ -17,9 +17,11 @@ import contextlib
 import copy
 import difflib
 import functools
+import importlib.util
 import itertools
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -27,6 +29,23 @@ import tempfile
 import time
 import weakref
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, TextIO, Tuple, Union
+
+
+def _why_not_importable() -> str:
+    """What this Python lacks for Slalom; empty if nothing is missing."""
+    package = os.path.dirname(os.path.abspath(__file__))
+    this = f"{sys.executable} is Python {sys.version_info[0]}.{sys.version_info[1]}"
+    names = [re.match(r"_slalom\.cpython-(\d)(\d+)", name) for name in os.listdir(package)]
+    built = [f"{name[1]}.{name[2]}" for name in names if name]
+    if built and f"{sys.version_info[0]}.{sys.version_info[1]}" not in built:
+        return f"{this}; expected Python {' or '.join(built)}, for which Slalom was built"
+    if importlib.util.find_spec("numpy") is None:
+        return f"{this}, without NumPy; expected NumPy for it (pip install numpy), or a Python that has it"
+    return ""
+
+
+if _why_not_importable():
+    raise ImportError("slalom: " + _why_not_importable())
 
 from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
 from . import _slalom
