@@ -138,7 +138,10 @@ function drawTracks(scenario) {
   people.replaceChildren(...run.people.map((person) => drawMover(scenario, person, PERSON)));
   const shown = element("others").checked ? scenario.runs.filter((other) => other !== run) : [];
   others.replaceChildren(...shown.map((other) => svg("path", { d: pathOf(scenario, other.x, other.y), stroke: other.color })));
+  showLegend();
 }
+
+const showLegend = () => element("legend").replaceChildren(...sceneLegend(state.scenario, state.run));
 
 function showRun(run) {
   const scenario = state.scenario;
@@ -158,6 +161,7 @@ function showRun(run) {
   if (run.rawlog) rawlog.querySelector("a").href = run.rawlog;
   element("time").max = String(run.t[run.t.length - 1] || 0);
   drawTracks(scenario);
+  fitRun();
   drawPlot("clearance", run, run.c, "clearance (m)");
   drawPlot("speed", run, run.v, "speed (m/s)");
   showValues(scenario, run);
@@ -199,13 +203,14 @@ function load() {
 
 // Space plays and pauses, unless it is for a button, a link or a field.
 document.addEventListener("keydown", (event) => {
-  if (event.key !== " " || !state.run || event.target.closest("a, button, input, select, summary, [tabindex]")) return;
+  if (event.key !== " " || !state.run || event.target.closest("a, button, input, select, summary, [tabindex]:not(#scene)")) return;
   event.preventDefault();
   setPlaying(!state.playing);
 });
 element("play").addEventListener("click", () => setPlaying(!state.playing));
 element("time").addEventListener("input", (event) => { state.time = Number(event.target.value); showTime(); });
-element("scan").addEventListener("change", showTime);
+element("scan").addEventListener("change", () => { showTime(); showLegend(); });
 element("others").addEventListener("change", () => drawTracks(state.scenario));
 window.addEventListener("hashchange", load);
+listenToView();
 load();

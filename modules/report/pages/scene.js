@@ -6,7 +6,7 @@ const toX = (scenario, x) => (x - scenario.bounds[0]) * scenario.scale;
 const toY = (scenario, y) => (scenario.bounds[3] - y) * scenario.scale;
 
 function pathOf(scenario, xs, ys) {
-  return xs.map((x, i) => (i ? "L" : "M") + toX(scenario, x).toFixed(1) + " " + toY(scenario, ys[i]).toFixed(1)).join("");
+  return xs.map((x, i) => (i ? "L" : "M") + toX(scenario, x).toFixed(2) + " " + toY(scenario, ys[i]).toFixed(2)).join("");
 }
 
 function pathOfPoints(scenario, points) {
@@ -49,14 +49,23 @@ function moveMovers(scenario, people, time) {
     const disc = discs[i], at = moverAt(mover, time);
     disc.setAttribute("visibility", at ? "visible" : "hidden");
     if (!at) return;
-    disc.setAttribute("cx", toX(scenario, at[0]).toFixed(1));
-    disc.setAttribute("cy", toY(scenario, at[1]).toFixed(1));
+    disc.setAttribute("cx", toX(scenario, at[0]).toFixed(2));
+    disc.setAttribute("cy", toY(scenario, at[1]).toFixed(2));
     scenario.present.push([at[0], at[1], mover.radius]);
   });
 }
 
 const MOVER = { title: "moving obstacle ", fill: "#e0a030", stroke: "#8a5a00" };
 const PERSON = { title: "person ", fill: "#a78bda", stroke: "#4b2e83" };
+
+// The lines of the picture, as its legend shows them.
+const LOOKS = {
+  track: { fill: "none", "stroke-width": 2.4 }, others: { fill: "none", "stroke-width": 1.6, opacity: 0.55 },
+  shortest: { class: "reference", "stroke-width": 1.3, "stroke-dasharray": "7 3", title: "shortest path" },
+  safest: { class: "reference", "stroke-width": 1.3, "stroke-dasharray": "2 3", title: "safest path" },
+  scan: { fill: "#f0b429", "fill-opacity": 0.25, stroke: "#c98a00", "stroke-width": 0.8 },
+  goal: { class: "goal", "stroke-width": 1.8, fill: "none" }, border: { class: "border", "stroke-width": 1.5, fill: "none" },
+};
 
 // The path and the disc of a mover or a person.
 function drawMover(scenario, { id, radius, waypoints }, { title, fill, stroke }) {
@@ -76,22 +85,21 @@ function drawScenario(scenario) {
   const height = (scenario.bounds[3] - scenario.bounds[1]) * scenario.scale;
   const disc = ([x, y, r]) => svg("circle", { cx: toX(scenario, x), cy: toY(scenario, y), r: r * scenario.scale });
   const polygon = (points) => svg("path", { d: pathOfPoints(scenario, points) + "z" });
-  const reference = (points, dash, title) => (points ? svg("path", { d: pathOfPoints(scenario, points), fill: "none",
-    stroke: "#333", "stroke-width": 1.3, "stroke-dasharray": dash }, svg("title", {}, title)) : null);
-  const gx = toX(scenario, scenario.goal[0]), gy = toY(scenario, scenario.goal[1]), r = Math.max(4, scenario.radius * scenario.scale);
-  const layers = { scan: svg("path", { fill: "#f0b429", "fill-opacity": 0.25, stroke: "#c98a00", "stroke-width": 0.8 }),
-                   others: svg("g", { fill: "none", "stroke-width": 1.6, opacity: 0.55 }),
-                   track: svg("path", { fill: "none", "stroke-width": 2.4 }),
+  const reference = (points, { title, ...look }) => (points ? svg("path", { d: pathOfPoints(scenario, points), ...look },
+                                                                  svg("title", {}, title)) : null);
+  const gx = toX(scenario, scenario.goal[0]), gy = toY(scenario, scenario.goal[1]), r = scenario.radius * scenario.scale;
+  const layers = { scan: svg("path", LOOKS.scan),
+                   others: svg("g", LOOKS.others),
+                   track: svg("path", LOOKS.track),
                    movers: svg("g", {}, (scenario.movers || []).map((mover) => drawMover(scenario, mover, MOVER))),
                    people: svg("g", {}),  // of the shown run
                    robot: svg("path", { "fill-opacity": 0.35, "stroke-width": 1.8 }) };
   scenario.layers = layers;
-  element("scene").setAttribute("viewBox", `0 0 ${width.toFixed(0)} ${height.toFixed(0)}`);
-  element("scene").replaceChildren(svg("rect", { width, height, fill: "#ffffff" }),
-    svg("g", { fill: "#8a8f98" }, scenario.discs.map(disc), scenario.polygons.map(polygon),
+  element("scene").replaceChildren(svg("rect", { class: "workspace", width, height }),
+    svg("g", { class: "obstacles" }, scenario.discs.map(disc), scenario.polygons.map(polygon),
         scenario.grid ? svg("path", { d: gridPath(scenario), "shape-rendering": "crispEdges" }) : null),
-    svg("g", {}, reference(scenario.safest, "2 3", "safest path"), reference(scenario.shortest, "7 3", "shortest path")),
-    svg("g", { stroke: "#b00020", "stroke-width": 1.8, fill: "none" }, svg("circle", { cx: gx, cy: gy, r }),
+    svg("g", {}, reference(scenario.safest, LOOKS.safest), reference(scenario.shortest, LOOKS.shortest)),
+    svg("rect", { ...LOOKS.border, width, height }), svg("g", LOOKS.goal, svg("circle", { cx: gx, cy: gy, r }),
         svg("path", { d: `M${gx - r} ${gy}h${2 * r}M${gx} ${gy - r}v${2 * r}` }), goalHeading(scenario, gx, gy, 1.6 * r)),
     layers.scan, layers.movers, layers.people, layers.others, layers.track, layers.robot);
 }
@@ -123,4 +131,21 @@ function drawScan(scenario, x, y, heading) {
     return pathOfPoints(scenario, points) + "z";
   });
   scenario.layers.scan.setAttribute("d", fans.join(""));
+}
+
+// The legend of what is drawn for a run.
+function sceneLegend(scenario, run) {
+  const item = (text, ...shapes) => html("span", {}, svg("svg", { width: 34, height: 12, "aria-hidden": "true" }, shapes), text);
+  const lineOf = (look, text) => item(text, svg("path", { d: "M1 6H33", ...look, title: null }));
+  const area = (look, text) => item(text, svg("rect", { x: 1, y: 1, width: 32, height: 10, ...look }));
+  const disc = ({ fill, stroke }, text) =>
+    item(text, svg("path", { d: "M1 6H33", stroke, "stroke-dasharray": "4 2" }), svg("circle", { cx: 17, cy: 6, r: 5, fill, stroke }));
+  const shown = (key) => element(key).checked;
+  return [lineOf({ ...LOOKS.track, stroke: run.color }, runKey(run) + ", robot and its heading"),
+    shown("others") && scenario.runs.length > 1 ? lineOf({ ...LOOKS.others, stroke: "currentColor" }, "other runs here, in the colors of their list") : "",
+    scenario.shortest ? lineOf(LOOKS.shortest, LOOKS.shortest.title) : "", scenario.safest ? lineOf(LOOKS.safest, LOOKS.safest.title) : "",
+    shown("scan") ? area(LOOKS.scan, "scan") : "", (scenario.movers || []).length > 0 ? disc(MOVER, "moving obstacle, its path") : "",
+    run.people.length > 0 ? disc(PERSON, "person, its path in this run") : "",
+    item("goal", svg("path", { ...LOOKS.goal, d: "M12 6a5 5 0 1 0 10 0a5 5 0 1 0 -10 0M12 6H22M17 1V11" })),
+    area({ class: "obstacles" }, "obstacle"), area(LOOKS.border, "border of the workspace")].filter(Boolean);
 }

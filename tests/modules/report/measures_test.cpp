@@ -126,6 +126,80 @@ TEST_F(PageMeasures, ArrowKeysMoveBetweenTheLinksOfATableAndOutcomesHavePatterns
   EXPECT_EQ(found["looks"], 5) << found;
 }
 
+TEST_F(PageMeasures, ARunFillsItsPictureWhichIsZoomedMovedAndFittedAgain) {
+  side_ = 40;
+  write(make_results(1));
+  const std::string hash = report_json()["scenarios"][0]["hash"];
+  const nlohmann::json found = probe({"run.html#" + hash.substr(0, 8) + "/good/0"}, 1280, R"js(
+    onload = () => setTimeout(() => {
+      const page = frames()[0], view = page.defaultView, scene = page.getElementById("scene"), boxes = [];
+      const area = scene.getBoundingClientRect(), x = area.left + area.width / 2, y = area.top + area.height / 2;
+      const take = () => boxes.push(scene.getAttribute("viewBox").split(" ").map(Number));
+      const send = (type, Kind, options) => scene.dispatchEvent(new view[Kind](type, { cancelable: true, bubbles: true, ...options }));
+      const point = (type, pointerId, dx, dy) => send(type, "PointerEvent", { pointerId, clientX: x + dx, clientY: y + dy });
+      const press = (key) => send("keydown", "KeyboardEvent", { key });
+      take();
+      const pixels = scene.getScreenCTM().a, bar = page.getElementById("scale").firstElementChild.getBoundingClientRect().width;
+      const scale = page.getElementById("scale").textContent;
+      const stays = !send("wheel", "WheelEvent", { deltaY: -100, clientX: x, clientY: y }); take();
+      press("0"); point("pointerdown", 1, 0, 0); point("pointermove", 1, 30, 12); point("pointerup", 1, 30, 12); take();
+      press("0"); point("pointerdown", 1, -50, 0); point("pointerdown", 2, 50, 0); point("pointermove", 1, -100, 0);
+      point("pointermove", 2, 100, 0); point("pointerup", 1, 0, 0); point("pointerup", 2, 0, 0); take();
+      page.getElementById("whole").click(); take();
+      for (let i = 0; i < 50; ++i) press("-");
+      take();
+      for (let i = 0; i < 50; ++i) press("+");
+      take();
+      page.getElementById("fit").click(); take();
+      const legend = [...page.querySelectorAll("#legend span")].map((item) => item.textContent);
+      page.getElementById("scan").click();
+      show({ boxes, pixels, bar, scale, stays, legend, after: page.getElementById("legend").textContent });
+    }, 500);
+  )js");
+  // Events are at whole pixels of 0.34 units, of which zooming moves the box by 1 - exp(-0.2).
+  const auto near = [&](std::size_t i, const std::vector<double>& box) {
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_NEAR(found["boxes"][i][k].get<double>(), box[k], 0.07) << i << found;
+  };
+  // 640 / 40 = 16 units per meter. The path from (1, 1) to (9, 9), where the goal is, and 2 m: up
+  // to 11 m; but 0.2 m beyond the workspace.
+  const double left = -0.2 * 16, top = (40 - 11) * 16, side = 11.2 * 16;
+  near(0, {left, top, side, side});
+  const double pixels = found["pixels"], zoomed = side * std::exp(-0.2);
+  near(1, {left + (side - zoomed) / 2, top + (side - zoomed) / 2, zoomed, zoomed});
+  EXPECT_EQ(found["stays"], true) << "the page does not scroll";
+  near(2, {left - 30 / pixels, top - 12 / pixels, side, side});
+  near(3, {left + side / 4, top + side / 4, side / 2, side / 2});
+  near(4, {0, 0, 640, 640});
+  near(5, {320 - 480, 320 - 480, 960, 960});  // at most 1.5 times the workspace
+  near(6, {320 - 4, 320 - 4, 8, 8});          // at least 0.5 m
+  near(7, {left, top, side, side});
+  EXPECT_EQ(found["scale"], "2 m") << "a quarter of the picture is between 2 and 5 m";
+  EXPECT_NEAR(found["bar"].get<double>(), 2 * 16 * pixels, 0.1);
+  EXPECT_EQ(found["legend"],
+            (nlohmann::json{"good/0, robot and its heading", "shortest path", "scan", "goal",
+                            "obstacle", "border of the workspace"}));
+  EXPECT_EQ(found["after"].get<std::string>().find("scan"), std::string::npos);
+}
+
+TEST_F(PageMeasures, PicturesAreDarkForReadersWhoPreferDarkPages) {
+  write(make_results(1));
+  const std::string hash = report_json()["scenarios"][0]["hash"];
+  const std::string script = R"js(
+    onload = () => setTimeout(() => show(frames().map((page) => [".workspace", ".obstacles"].map((name) =>
+      luminance(rgba(page.defaultView.getComputedStyle(page.querySelector(name)).fill))))), 500);
+  )js";
+  const std::vector<std::string> pages = {"index.html",
+                                          "run.html#" + hash.substr(0, 8) + "/good/0"};
+  const nlohmann::json light = probe(pages, 1280, script);
+  const nlohmann::json dark = probe(pages, 1280, script, "--blink-settings=preferredColorScheme=0");
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    EXPECT_GT(light[i][0], 0.9) << light;
+    EXPECT_LT(dark[i][0], 0.05) << dark;
+    EXPECT_GT(dark[i][1], dark[i][0]) << "obstacles are brighter than the floor: " << dark;
+  }
+}
+
 // Ten times the times that are aimed at: 1 s to the first paint, 0.1 s for what the reader does
 // (the machine of a test may be busy). docs/report.md has measured times.
 TEST_F(PageMeasures, TenThousandRunsAreDrawnAndFilteredWithoutDelay) {

@@ -89,9 +89,9 @@ TEST_F(ReportPages, ARunShowsPeopleAtItsInstant) {
   // 64 pixels per meter of the room of 10 m x 10 m; at 0 s.
   EXPECT_EQ(count(run, "<g><title>person Anna &amp; Bo</title>"), 1u);
   EXPECT_EQ(all_matches(run, "<circle r=\"32\" fill=\"#a78bda\"[^>]*cx=\"([0-9.]+)\""),
-            std::vector<std::string>{"128.0"});
+            std::vector<std::string>{"128.00"});
   EXPECT_EQ(all_matches(run, "fill=\"#a78bda\"[^>]*visible[^>]*cy=\"([0-9.]+)\""),
-            std::vector<std::string>{"128.0"});
+            std::vector<std::string>{"128.00"});
   EXPECT_EQ(count(read("data/pictures-1.js"), "class=\\\"person\\\""), 2u) << "route and disc";
 }
 

@@ -82,13 +82,14 @@ class ReportTest : public testing::Test {
   nlohmann::json report_json() const { return nlohmann::json::parse(read("report.json")); }
 
   std::filesystem::path folder_;
-  People people_;  ///< in each scenario
+  People people_;     ///< in each scenario
+  double side_ = 10;  ///< of each scenario (m)
 
  private:
   void add_scenario(ResultFile& file, int i, const std::string& name) const {
     const Primitives obstacles = {{{{5, 5}, 0.5 + 0.001 * i}}, {}};
     const Scenario scenario =
-        Scenario::continuous(name, {0, 0, 10, 10}, obstacles, {1, 1, 0}, {9, 9})
+        Scenario::continuous(name, {0, 0, side_, side_}, obstacles, {1, 1, 0}, {9, 9})
             .with_people(people_);
     ScenarioRecord record{scenario.hash(), scenario.name(), {}};
     record.descriptors["density"] = {1, Value::of(0.001 * i)};
