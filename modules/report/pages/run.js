@@ -43,8 +43,6 @@ function decodeCells(grid) {
   return cells;
 }
 
-const angleDifference = (a, b) => Math.atan2(Math.sin(a - b), Math.cos(a - b));
-
 // The state of the run at a time, interpolated linearly between the stored samples.
 function stateAt(run, time) {
   let i = 1;
@@ -52,8 +50,7 @@ function stateAt(run, time) {
   const j = Math.max(0, i - 1), span = run.t[i] - run.t[j];
   const fraction = span > 0 ? Math.min(1, Math.max(0, (time - run.t[j]) / span)) : 0;
   const mix = (values) => values[j] + fraction * (values[i] - values[j]);
-  return { x: mix(run.x), y: mix(run.y), v: mix(run.v), w: mix(run.w), c: mix(run.c),
-           h: run.h[j] + fraction * angleDifference(run.h[i], run.h[j]) };
+  return { x: mix(run.x), y: mix(run.y), v: mix(run.v), w: mix(run.w), c: mix(run.c), h: mix(run.h) };
 }
 
 function showTime() {

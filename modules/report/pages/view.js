@@ -43,7 +43,7 @@ function zoomView(factor, x, y) {
 const zoomCenter = (factor) => zoomView(factor, view.box[0] + view.box[2] / 2, view.box[1] + view.box[3] / 2);
 const moveView = (dx, dy) => showView([view.box[0] + dx, view.box[1] + dy, view.box[2], view.box[3]]);
 
-// Of the picture, where the pointer is.
+// The point of the picture below a pointer.
 function scenePoint({ clientX, clientY }) {
   const point = new DOMPoint(clientX, clientY).matrixTransform(element("scene").getScreenCTM().inverse());
   return [point.x, point.y];

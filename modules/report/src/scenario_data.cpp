@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_data.h"
+#include "thin_samples.h"
 #include "value_data.h"
 
 #include <slalom/core/error.h>
@@ -10,6 +11,7 @@
 #include <slalom/simulation/evaluate_trajectory.h>
 
 #include <fmt/format.h>
+#include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
 #include <cctype>
@@ -42,30 +44,38 @@ class DeltaEncoder {
   std::vector<std::int64_t> differences_;
 };
 
-/// The indexes of the samples to keep: evenly spaced, including the first and the last.
-std::vector<std::size_t> kept_samples(std::size_t n) {
-  std::vector<std::size_t> kept;
-  const std::size_t count = std::min(n, kMaxSamples);
-  for (std::size_t i = 0; i < count; ++i) kept.push_back(count > 1 ? i * (n - 1) / (count - 1) : 0);
-  return kept;
-}
-
+/// The samples of a run that linear interpolation needs: positions and clearances within 1 cm, also
+/// after rounding, at 1 m/s; with the least clearance. Headings do not jump by full turns.
 void add_track(const World& world, const Footprint& footprint, const Trajectory& trajectory,
                OrderedJson& json) {
-  DeltaEncoder t, x, y, heading, v, w, clearance;
-  for (const std::size_t i : kept_samples(trajectory.samples.size())) {
-    const Sample& sample = trajectory.samples[i];
-    t.add(sample.t);
-    x.add(sample.pose.x);
-    y.add(sample.pose.y);
-    heading.add(sample.pose.phi);
-    v.add(sample.v);
-    w.add(sample.w);
-    clearance.add(footprint_clearance(world, footprint, sample.pose));
+  constexpr double kPosition = 0.006, kClearance = 0.009;         // m
+  constexpr double kHeading = 0.02, kSpeed = 0.02, kTurn = 0.05;  // rad, m/s, rad/s
+  std::vector<double> t;
+  Signal x{{}, kPosition}, y{{}, kPosition}, heading{{}, kHeading}, v{{}, kSpeed}, w{{}, kTurn},
+      clearance{{}, kClearance};
+  for (const Sample& sample : trajectory.samples) {
+    const double phi = sample.pose.phi;
+    const double before = heading.values.empty() ? phi : heading.values.back();
+    t.push_back(sample.t);
+    x.values.push_back(sample.pose.x);
+    y.values.push_back(sample.pose.y);
+    heading.values.push_back(before + mrpt::math::wrapToPi(phi - before));
+    v.values.push_back(sample.v);
+    w.values.push_back(sample.w);
+    clearance.values.push_back(footprint_clearance(world, footprint, sample.pose));
   }
-  const std::pair<const char*, const DeltaEncoder*> tracks[] = {
-      {"t", &t}, {"x", &x}, {"y", &y}, {"h", &heading}, {"v", &v}, {"w", &w}, {"c", &clearance}};
-  for (const auto& [key, numbers] : tracks) json[key] = numbers->json();
+  const auto least = std::min_element(clearance.values.begin(), clearance.values.end());
+  const std::vector<std::size_t> kept =
+      thin_samples(t, {x, y, heading, v, w, clearance},
+                   static_cast<std::size_t>(least - clearance.values.begin()));
+  const std::pair<const char*, const std::vector<double>*> tracks[] = {
+      {"t", &t},        {"x", &x.values}, {"y", &y.values},        {"h", &heading.values},
+      {"v", &v.values}, {"w", &w.values}, {"c", &clearance.values}};
+  for (const auto& [key, values] : tracks) {
+    DeltaEncoder numbers;
+    for (const std::size_t i : kept) numbers.add((*values)[i]);
+    json[key] = numbers.json();
+  }
 }
 
 OrderedJson points_json(const std::vector<mrpt::math::TPoint2D>& points) {

@@ -26,9 +26,10 @@ ScenarioRuns read_scenario_runs(const std::vector<const ResultFile*>& files,
 constexpr std::size_t kMaxSamples = 80;
 
 /// data/s-HASH8.js: a scenario with its references and runs, as a call of slalomScenario().
-/// Trajectories are reduced to at most kMaxSamples samples, in integer millimeters, milliseconds
-/// and milliradians, and have the people as they walked in them; the safest path is simplified with
-/// a tolerance of one cell. `directory`: of the report, for links to rawlogs.
+/// Trajectories have the samples between which linear interpolation keeps positions and clearances
+/// within 1 cm, and that of the least clearance, in integer millimeters, milliseconds and
+/// milliradians; and the people as they walked in them. The safest path is simplified with a
+/// tolerance of one cell. `directory`: of the report, for links to rawlogs.
 std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
                             const std::string& directory);
 

@@ -4,10 +4,13 @@
 
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/read_results.h>
+#include <slalom/metrics/metric.h>
 #include <slalom/simulation/evaluate_trajectory.h>
 
 #include <gtest/gtest.h>
+#include <mrpt/math/wrap2pi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -28,6 +31,16 @@ class ScenarioData : public testing::Test {
 
   /// The data of a scenario with one run of `samples` samples, 0.1 s and 0.1 m apart.
   nlohmann::json data_of(const Scenario& scenario, std::size_t samples) const {
+    Trajectory trajectory;
+    for (std::size_t i = 0; i < samples; ++i) {
+      const double t = 0.1 * static_cast<double>(i);
+      trajectory.samples.push_back({t, {1 + t, 1, 0}});
+    }
+    return data_of(scenario, trajectory);
+  }
+
+  /// The data of a scenario with one run.
+  nlohmann::json data_of(const Scenario& scenario, const Trajectory& trajectory) const {
     const std::string path = (folder_ / "runs.results").string();
     ResultFile file = ResultFile::create(path, {}, {}, {kLength});
     file.add_scenario({scenario.hash(), scenario.name(), {}}, scenario, {});
@@ -38,13 +51,6 @@ class ScenarioData : public testing::Test {
     run.seed = 18446744073709551615u;
     run.outcome = "stuck";
     run.metrics["path_length"] = {1, Value::na("</script> stopped")};
-    Trajectory trajectory;
-    for (std::size_t i = 0; i < samples; ++i) {
-      Sample sample;
-      sample.t = 0.1 * static_cast<double>(i);
-      sample.pose = {1 + 0.1 * static_cast<double>(i), 1, 0};
-      trajectory.samples.push_back(sample);
-    }
     file.add_run(run, {}, trajectory);
     file.commit();
     const ResultTable runs = read_results(path);
@@ -83,9 +89,9 @@ class ScenarioData : public testing::Test {
 TEST_F(ScenarioData, StoresTrajectoriesInThousandths) {
   const auto data = data_of(room(), 3);
   const auto& run = data["runs"][0];
-  EXPECT_EQ(sums(run["t"]), (std::vector<std::int64_t>{0, 100, 200}));
-  EXPECT_EQ(sums(run["x"]), (std::vector<std::int64_t>{1000, 1100, 1200}));
-  EXPECT_EQ(sums(run["y"]), (std::vector<std::int64_t>{1000, 1000, 1000}));
+  EXPECT_EQ(sums(run["t"]), (std::vector<std::int64_t>{0, 200}));
+  EXPECT_EQ(sums(run["x"]), (std::vector<std::int64_t>{1000, 1200}));
+  EXPECT_EQ(sums(run["y"]), (std::vector<std::int64_t>{1000, 1000}));
   // The border is nearest: 1 m below the center, minus the robot radius of 0.25 m.
   EXPECT_EQ(sums(run["c"]).front(), 750);
   EXPECT_EQ(data["discs"][0], (nlohmann::json{5.0, 5.0, 0.5}));
@@ -93,12 +99,43 @@ TEST_F(ScenarioData, StoresTrajectoriesInThousandths) {
   EXPECT_EQ(run["seed"], "18446744073709551615");
 }
 
-TEST_F(ScenarioData, KeepsFirstAndLastSampleOfLongTrajectories) {
-  const std::size_t n = 10 * kMaxSamples;
-  const auto times = sums(data_of(room(), n)["runs"][0]["t"]);
-  ASSERT_EQ(times.size(), kMaxSamples);
-  EXPECT_EQ(times.front(), 0);
-  EXPECT_EQ(times.back(), static_cast<std::int64_t>(100 * (n - 1)));
+TEST_F(ScenarioData, KeepsTheSamplesThatInterpolationNeedsForACentimeter) {
+  const Scenario scenario = room();
+  const World world(scenario, 0.5);
+  const Footprint footprint = ReportOptions().robot.shape();
+  Trajectory circles;  // two, of 3 m about the disc's left side, at 1 m/s
+  std::vector<double> clearances;
+  for (int i = 0; i <= 750; ++i) {
+    const double t = 0.05 * i, turned = t / 3;
+    circles.samples.push_back(
+        {t,
+         {4.5 + 3 * std::sin(turned), 5 - 3 * std::cos(turned), mrpt::math::wrapToPi(turned)},
+         1,
+         1.0 / 3});
+    clearances.push_back(footprint_clearance(world, footprint, circles.samples.back().pose));
+  }
+  const auto run = data_of(scenario, circles)["runs"][0];
+  const auto t = sums(run["t"]), x = sums(run["x"]), y = sums(run["y"]), h = sums(run["h"]),
+             c = sums(run["c"]);
+  EXPECT_LT(t.size(), 150U) << "of 751";
+  std::size_t k = 1;
+  for (std::size_t i = 0; i < circles.samples.size(); ++i) {
+    const Sample& sample = circles.samples[i];
+    while (k + 1 < t.size() && 0.001 * static_cast<double>(t[k]) < sample.t) ++k;
+    const double fraction =
+        (1000 * sample.t - static_cast<double>(t[k - 1])) / static_cast<double>(t[k] - t[k - 1]);
+    const auto at = [&](const std::vector<std::int64_t>& values) {
+      return 0.001 * (static_cast<double>(values[k - 1]) +
+                      fraction * static_cast<double>(values[k] - values[k - 1]));
+    };
+    EXPECT_LE(std::hypot(at(x) - sample.pose.x, at(y) - sample.pose.y), 0.01) << i;
+    EXPECT_NEAR(at(c), clearances[i], 0.01) << i;
+    EXPECT_NEAR(at(h), sample.t / 3, 0.021) << "without a jump at half a turn: " << i;
+  }
+  EXPECT_EQ(t.front(), 0);
+  EXPECT_EQ(t.back(), 37500);
+  EXPECT_EQ(*std::min_element(c.begin(), c.end()),
+            std::llround(1000 * *std::min_element(clearances.begin(), clearances.end())));
 }
 
 TEST_F(ScenarioData, StoresPeopleAsTheyWalkedInTheRun) {
