@@ -45,7 +45,8 @@ class CampaignSample {
         made.push_back(success_info());
         continue;
       }
-      made.push_back({id, 1, "The " + id, id == "time_to_goal" ? "s" : "-",
+      made.push_back({id, 1, "The " + id + " of the whole run, from its start to its end",
+                      id == "time_to_goal" ? "s" : "-",
                       i < first.size() ? Direction::Up : Direction::None});
     }
     return made;
@@ -54,8 +55,9 @@ class CampaignSample {
   void add_scenario(ResultFile& file, int index, const std::vector<QuantityInfo>& descriptors,
                     const std::vector<QuantityInfo>& metrics) {
     const Primitives obstacles = {{{{5, 5}, 0.5 + 0.0001 * index}}, {}};
-    const Scenario scenario = Scenario::continuous("random_" + std::to_string(index),
-                                                   {0, 0, 10, 10}, obstacles, {1, 1, 0}, {9, 9});
+    const Scenario scenario =
+        Scenario::continuous("a_building_with_many_rooms_" + std::to_string(index), {0, 0, 10, 10},
+                             obstacles, {1, 1, 0}, {9, 9});
     ScenarioRecord record{scenario.hash(), scenario.name(), {}};
     for (const QuantityInfo& info : descriptors)
       record.descriptors[info.id] = {1, Value::of(uniform_real(random_, 0, 1))};

@@ -81,8 +81,37 @@ TEST_F(PageMeasures, EveryTextHasContrastAndNoPageOfAPhoneScrollsSideways) {
       EXPECT_GE(found[i]["contrast"], 4.5) << pages[i] << " " << options << found[i];
       EXPECT_GE(found[i]["texts"], 30) << pages[i] << found[i];
       EXPECT_LE(found[i]["width"], width) << pages[i] << found[i];
+      EXPECT_EQ(found[i]["outside"], nlohmann::json::array()) << pages[i] << " " << width;
       EXPECT_LE(found[i]["stops"], i == 2 ? 250 : 150) << pages[i] << found[i];
     }
+  }
+}
+
+TEST_F(PageMeasures, TheNavigationIsOneRowThatHidesNoHeading) {
+  make_report({});
+  for (const int width : {400, 1280, 1920}) {
+    const nlohmann::json found = probe({"index.html"}, width, R"js(
+      onload = () => setTimeout(async () => {
+        const page = frames()[0], nav = page.getElementById("navigation"), row = nav.firstElementChild, hidden = [];
+        const links = [...nav.querySelectorAll("a[href^='#']")];
+        for (const link of links) {
+          link.click();
+          await new Promise((done) => setTimeout(done, 20));
+          const heading = page.getElementById(link.hash.slice(1)).getBoundingClientRect();
+          if (heading.top < nav.getBoundingClientRect().bottom || heading.bottom > 900) hidden.push(link.hash);
+        }
+        const box = nav.getBoundingClientRect();
+        show({ hidden, links: links.length, top: box.top, height: box.height, cut: row.scrollWidth - row.clientWidth,
+               tops: new Set([...row.querySelectorAll("a")].map((link) => link.getBoundingClientRect().top)).size });
+      }, 500);
+    )js",
+                                       "--force-prefers-reduced-motion");
+    EXPECT_EQ(found["hidden"], nlohmann::json::array()) << width;
+    EXPECT_GE(found["links"], 8) << found;
+    EXPECT_EQ(found["top"], 0) << "it stays at the top: " << width << found;
+    EXPECT_EQ(found["tops"], 1) << "one row: " << width << found;
+    EXPECT_LT(found["height"], 56) << "scroll-padding-top: " << width << found;
+    EXPECT_TRUE(width == 400 || found["cut"] == 0) << "all links are seen: " << width << found;
   }
 }
 
