@@ -24,7 +24,8 @@ function overviewCard({ method, text, failures }) {
   const rest = text.startsWith(name) ? text.slice(name.length) : ": " + text;
   return html("div", { class: "card overview" },
     html("div", {}, html("p", {}, swatch(report.methods[method].color), link, rest + "."), outcomeBar(row)),
-    html("div", { class: "failures" }, failures.map(failureFigure)));
+    failures.length > 0 ? html("div", { class: "failures" }, failures.map(failureFigure))
+      : row.outcomes.some((n, i) => n > 0 && report.outcomes[i] !== "success") ? soft("No other method solves a scenario in which it fails.") : "");
 }
 
 function overviewSection(method) {
@@ -35,7 +36,7 @@ function overviewSection(method) {
   loadScript("data/failures.js");
   return [headlines, entries.map(overviewCard),
           soft("Trends, and differences on the same scenarios, only where a corrected test shows them. Pictures: at most three " +
-               "failures of each method; first where most other methods succeed, then collisions. A click opens the replay.")];
+               "failures of each method in scenarios that others solve; where most do first, then collisions. A click opens the replay.")];
 }
 
 // Metrics on the scenarios in which all methods have a value, where means over all runs are not comparable.

@@ -31,17 +31,11 @@ std::string number_of_runs(const ReportInput& input) {
 
 Markup facts(const ReportInput& input) {
   const ResultTable& runs = input.runs;
-  std::size_t successes = 0;
-  for (const MethodSummary& method : input.summary.methods) {
-    const auto found = method.outcomes.find("success");
-    successes += found == method.outcomes.end() ? 0 : found->second;
-  }
-  std::vector<Markup> figures = {
-      fact(runs.methods.size(), "methods"), fact(runs.scenario_hashes.size(), "scenarios"),
-      fact(number_of_runs(input), "runs"), fact(successes, "successful runs")};
-  const auto slalom = runs.manifest.find("version.slalom");
-  if (slalom != runs.manifest.end()) figures.push_back(fact(slalom->second, "Slalom version"));
-  return element("div", figures, "facts");
+  return element(
+      "div",
+      {fact(runs.methods.size(), "methods"), fact(runs.scenario_hashes.size(), "scenarios"),
+       fact(number_of_runs(input), "runs")},
+      "facts");
 }
 
 Markup header_row(const std::vector<std::string>& first, const std::vector<Column>& columns) {

@@ -69,6 +69,16 @@ TEST_F(ReportPages, MarkPrivilegedMethodsAndExplainTheMark) {
   EXPECT_EQ(count(page, "* privileged: good is given the tracks of movers"), 1u);
 }
 
+TEST_F(ReportPages, TheFirstScreenBeginsWithTheBestMethodAndExplainsWhyItShowsNoFailure) {
+  write(make_results(12));
+  const std::string page = open("index.html"), none = "No other method solves a scenario in which";
+  EXPECT_LT(page.find(">good</a> succeeds"), page.find(">&lt;bad&gt;</a> succeeds"));
+  EXPECT_EQ(count(page, none), 0u) << "\"good\" solves all";
+  std::ofstream(report_folder() / "data/summary.js", std::ios::app)
+      << "for (const one of report.overview) one.failures = [];\n";
+  EXPECT_EQ(count(open("index.html"), none), 1u) << "\"good\" has no failure";
+}
+
 TEST_F(ReportPages, TakeNamesLiterally) {
   write(make_results(3, "a<script>alert('x')</script>&\""));
   for (const char* name : {"index.html", "method.html#1", "runs.html"}) {

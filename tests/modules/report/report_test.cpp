@@ -169,7 +169,7 @@ TEST_F(Report, MarksPrivilegedMethods) {
   EXPECT_EQ(json["methods"][1]["name"], "good") << "the addresses of its pages and runs";
   EXPECT_EQ(json["methods"][1]["label"], "good*");
   EXPECT_FALSE(json["methods"][0].contains("label"));
-  EXPECT_EQ(json["overview"][1]["text"].get<std::string>().substr(0, 15), "good* succeeds ");
+  EXPECT_EQ(json["overview"][0]["text"].get<std::string>().substr(0, 15), "good* succeeds ");
   EXPECT_EQ(json["groups"][1]["title"], "All runs of good*");
   const std::string footnote = "* privileged: good is given the tracks of movers";
   EXPECT_EQ(json["footnote"].get<std::string>().substr(0, footnote.size()), footnote);

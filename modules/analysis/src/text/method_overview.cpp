@@ -149,7 +149,7 @@ ScenarioCounts count_scenarios(const ResultTable& table) {
   return counts;
 }
 
-/// The failed runs of a method, the most notable first, one per scenario.
+/// The failed runs of a method that are notable, most notable first, one per scenario.
 std::vector<NotableFailure> failures_of(const ResultTable& table, const ScenarioCounts& counts,
                                         std::uint32_t method) {
   std::vector<std::tuple<double, bool, std::size_t>> failed;  // in increasing order
@@ -160,7 +160,7 @@ std::vector<NotableFailure> failures_of(const ResultTable& table, const Scenario
     const double solved =
         others == 0 ? 0
                     : static_cast<double>(counts.solved_by[scenario]) / static_cast<double>(others);
-    failed.emplace_back(-solved, outcome != "collision", run);
+    if (others == 0 || solved > 0) failed.emplace_back(-solved, outcome != "collision", run);
   }
   std::sort(failed.begin(), failed.end());
   std::vector<NotableFailure> notable;
@@ -219,18 +219,24 @@ std::string answer(const PairedComparison* c, const std::string& first, const st
   }
 }
 
+/// The methods with a rate of success, the highest first.
+std::vector<MethodSummary> by_success(const ResultTable& table, const AnalysisOptions& options) {
+  if (find_metric(table, kSuccess) == nullptr) return {};
+  std::vector<MethodSummary> order = build_summary(table, {kSuccess}, options).methods;
+  const auto has_none = [](const MethodSummary& method) { return !method.cells[0].estimate; };
+  order.erase(std::remove_if(order.begin(), order.end(), has_none), order.end());
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return *a.cells[0].estimate > *b.cells[0].estimate;
+  });
+  return order;
+}
+
 }  // namespace
 
 std::string leader_sentence(const ResultTable& table, const std::vector<PairedComparison>& family,
                             const AnalysisOptions& options) {
-  if (find_metric(table, kSuccess) == nullptr) return "";
-  std::vector<MethodSummary> order = build_summary(table, {kSuccess}, options).methods;
-  const auto has_none = [](const MethodSummary& method) { return !method.cells[0].estimate; };
-  order.erase(std::remove_if(order.begin(), order.end(), has_none), order.end());
+  const std::vector<MethodSummary> order = by_success(table, options);
   if (order.size() < 2) return "";
-  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return *a.cells[0].estimate > *b.cells[0].estimate;
-  });
   const MethodSummary &first = order[0], &second = order[1];
   const double best = *first.cells[0].estimate, next = *second.cells[0].estimate;
   return first.method + " succeeds most often (" + percent(best) + " of " +
@@ -245,10 +251,8 @@ std::vector<MethodOverview> build_overview(const ResultTable& table,
                                            const std::vector<PairedComparison>& family,
                                            const AnalysisOptions& options) {
   std::vector<MethodOverview> overview;
-  if (find_metric(table, kSuccess) == nullptr) return overview;
   const ScenarioCounts counts = count_scenarios(table);
-  for (const MethodSummary& method : build_summary(table, {kSuccess}, options).methods) {
-    if (!method.cells[0].estimate) continue;
+  for (const MethodSummary& method : by_success(table, options)) {
     std::vector<std::string> clauses = {success_clause(method)};
     for (const CrossTable& cross : tables)
       if (cross.method == method.method) clauses.push_back(trend_clause(cross));

@@ -34,12 +34,12 @@ TEST(MethodOverview, SaysInASentenceWhatHolds) {
   const auto overview = overview_of(three_methods({25, 15}));
   ASSERT_EQ(overview.size(), 3u);
   // Rate 40 / 50; z = -5 / sqrt(0.16 * 12.5) = -3.536 in two tests; ten scenarios only b solves.
-  EXPECT_EQ(overview[0].sentence,
+  EXPECT_EQ(overview[1].sentence,
             "a succeeds in 80 % [67, 89] of 50 runs; it falls from 100 % to 60 % with density (in "
             "[0, 0.1) and [0.1, 0.2], p = 0.0008); it collides in 20 %; against b it is 0.20 "
             "worse in success on the same scenarios, p = 0.0039, Holm over 2 pairs; its values "
             "are identical to those of c");
-  EXPECT_EQ(overview[1].sentence,
+  EXPECT_EQ(overview[0].sentence,
             "b succeeds in 100 % [93, 100] of 50 runs; against a it is 0.20 better in success on "
             "the same scenarios, p = 0.0039, Holm over 2 pairs; against c it is 0.20 better in "
             "success on the same scenarios, p = 0.0039, Holm over 2 pairs");
@@ -47,7 +47,7 @@ TEST(MethodOverview, SaysInASentenceWhatHolds) {
 
 TEST(MethodOverview, HasNoClauseWithoutEvidence) {
   const ResultTable table = three_methods({24, 25});
-  EXPECT_EQ(overview_of(table)[0].sentence,
+  EXPECT_EQ(overview_of(table)[1].sentence,
             "a succeeds in 98 % [90, 100] of 50 runs; it collides in 2 %; its values are identical "
             "to those of c");
 }
@@ -79,7 +79,14 @@ TEST(MethodOverview, ComparesNoFirstWithoutACommonScenario) {
             "common scenario");
 }
 
-TEST(MethodOverview, ShowsFailuresWhereMostOtherMethodsSucceedFirst) {
+TEST(MethodOverview, SortsMethodsBySuccessAndEqualOnesAsInTheResults) {
+  std::vector<std::string> methods;
+  for (const MethodOverview& entry : overview_of(three_methods({25, 15})))
+    methods.push_back(entry.method);
+  EXPECT_EQ(methods, (std::vector<std::string>{"b", "a", "c"}));
+}
+
+TEST(MethodOverview, ShowsFailuresWhereOthersSucceedThoseOfMostFirst) {
   ResultFixture fixture;
   const auto add = [&fixture](double a, double b, double c) {
     const std::string hash = fixture.add_scenario(Value::of(0.1));
@@ -93,12 +100,21 @@ TEST(MethodOverview, ShowsFailuresWhereMostOtherMethodsSucceedFirst) {
   add(-1, -1, -1);
   add(0.5, 0.5, 0.5);
   const auto overview = overview_of(fixture.table);
-  ASSERT_EQ(overview[0].failures.size(), 3u);
-  EXPECT_EQ(overview[0].failures[0].run, 6u);
-  EXPECT_EQ(overview[0].failures[0].why, "collision; others that succeed here: 2 of 2");
-  EXPECT_EQ(overview[0].failures[1].run, 3u);
-  EXPECT_EQ(overview[0].failures[2].run, 0u);
-  EXPECT_EQ(overview[2].failures.size(), 2u);
+  ASSERT_EQ(overview[2].method, "a");
+  ASSERT_EQ(overview[2].failures.size(), 2u);
+  EXPECT_EQ(overview[2].failures[0].run, 6u);
+  EXPECT_EQ(overview[2].failures[0].why, "collision; others that succeed here: 2 of 2");
+  EXPECT_EQ(overview[2].failures[1].run, 3u);
+  ASSERT_EQ(overview[0].method, "c");
+  EXPECT_TRUE(overview[0].failures.empty()) << "it fails where all do";
+}
+
+TEST(MethodOverview, ShowsFailuresInScenariosThatNoOtherMethodHasRun) {
+  ResultFixture fixture;
+  fixture.add_run(fixture.add_scenario(Value::of(0.1)), "a", -1);
+  const auto overview = overview_of(fixture.table);
+  ASSERT_EQ(overview[0].failures.size(), 1u);
+  EXPECT_EQ(overview[0].failures[0].why, "collision");
 }
 
 }  // namespace
