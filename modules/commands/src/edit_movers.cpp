@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "free_id.h"
+
 #include <slalom/commands/edit_movers.h>
 #include <slalom/core/distance.h>
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace slalom {
-namespace {
 
 using mrpt::math::TPoint2D;
-
-std::string free_id(const Movers& movers) {
-  for (std::size_t number = 1;; ++number) {
-    const std::string id = "mover_" + std::to_string(number);
-    const auto has_id = [&id](const Mover& mover) { return mover.id == id; };
-    if (std::none_of(movers.begin(), movers.end(), has_id)) return id;
-  }
-}
-
-}  // namespace
 
 double last_waypoint_time(const Movers& movers) {
   double last = 0;
@@ -79,7 +69,7 @@ Scenario with_movers_edited(const Scenario& scenario, Movers movers) {
 
 Scenario with_mover_added(const Scenario& scenario, Mover mover) {
   Movers movers = scenario.movers();
-  if (mover.id.empty()) mover.id = free_id(movers);
+  if (mover.id.empty()) mover.id = free_id(scenario, "mover_");
   movers.push_back(std::move(mover));
   return with_movers_edited(scenario, std::move(movers));
 }

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "free_id.h"
+
 #include <slalom/commands/edit_people.h>
 #include <slalom/core/distance.h>
 
-#include <algorithm>
-#include <string>
 #include <utility>
 
 namespace slalom {
-namespace {
 
 using mrpt::math::TPoint2D;
-
-/// Movers and people have no ids in common.
-std::string free_id(const Scenario& scenario) {
-  for (std::size_t number = 1;; ++number) {
-    const std::string id = "person_" + std::to_string(number);
-    const auto has_id = [&id](const auto& other) { return other.id == id; };
-    if (std::none_of(scenario.people().begin(), scenario.people().end(), has_id) &&
-        std::none_of(scenario.movers().begin(), scenario.movers().end(), has_id))
-      return id;
-  }
-}
-
-}  // namespace
 
 std::optional<StationIndex> station_at(const Scenario& scenario, const TPoint2D& point,
                                        double tolerance) {
@@ -43,12 +29,6 @@ std::optional<StationIndex> station_at(const Scenario& scenario, const TPoint2D&
   return nearest;
 }
 
-std::vector<TPoint2D> stations_of(const Person& person) {
-  std::vector<TPoint2D> stations = {person.start};
-  stations.insert(stations.end(), person.route.begin(), person.route.end());
-  return stations;
-}
-
 Person person_along(std::vector<TPoint2D> stations, double radius, double speed) {
   Person person;
   person.radius = radius;
@@ -63,9 +43,9 @@ Person person_along(std::vector<TPoint2D> stations, double radius, double speed)
 }
 
 Person with_station_moved(Person person, std::size_t station, double dx, double dy) {
-  const bool stands = person.route.size() == 1 && person.route[0] == person.start;
-  if (station == 0 || stands) person.start += TPoint2D(dx, dy);
-  if (station > 0 || stands) person.route.at(stands ? 0 : station - 1) += TPoint2D(dx, dy);
+  const bool both = stands(person);
+  if (station == 0 || both) person.start += TPoint2D(dx, dy);
+  if (station > 0 || both) person.route.at(both ? 0 : station - 1) += TPoint2D(dx, dy);
   return person;
 }
 
@@ -75,7 +55,7 @@ Scenario with_people_edited(const Scenario& scenario, People people) {
 
 Scenario with_person_added(const Scenario& scenario, Person person) {
   People people = scenario.people();
-  if (person.id.empty()) person.id = free_id(scenario);
+  if (person.id.empty()) person.id = free_id(scenario, "person_");
   people.push_back(std::move(person));
   return with_people_edited(scenario, std::move(people));
 }

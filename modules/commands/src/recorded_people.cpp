@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kStandingSpeed = 1.3;  // m/s, at which who was pushed away goes back to its place
 
-bool stands(const Person& person) {
-  return person.route.size() == 1 && person.route[0] == person.start;
-}
-
 /// People that begin later wait until their place is free, which that of one who stands never is.
 bool is_in(const Waypoint& at, double radius, const Person& other) {
   return ((at.t == 0 && other.begin == 0) || stands(other)) &&

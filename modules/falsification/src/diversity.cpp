@@ -27,8 +27,8 @@ bool sweeps(const Mover& mover, const TPoint2D& p) {
 
 /// The area that a person sweeps if nobody and nothing is in its way; times do not matter.
 Mover straight_way(const Person& person) {
-  Mover mover{person.id, person.radius, {{0, person.start}}};
-  for (const TPoint2D& point : person.route) mover.waypoints.push_back({0, point});
+  Mover mover{person.id, person.radius, {}};
+  for (const TPoint2D& point : stations_of(person)) mover.waypoints.push_back({0, point});
   return mover;
 }
 

@@ -50,10 +50,8 @@ Bounds extent_of_run(Shrinker& shrinker) {
     extent.y_max = std::max(extent.y_max, y);
   };
   for (const TPose2D& pose : shrinker.trial().waypoints) include(pose.x, pose.y);
-  for (const Person& person : shrinker.scenario().people()) {
-    include(person.start.x, person.start.y);
-    for (const TPoint2D& point : person.route) include(point.x, point.y);
-  }
+  for (const Person& person : shrinker.scenario().people())
+    for (const TPoint2D& point : stations_of(person)) include(point.x, point.y);
   return extent;
 }
 

@@ -89,8 +89,7 @@ void Crowd::plan_routes() {
   for (std::size_t i = 0; i < people_.size(); ++i) {
     const Person& person = people_[i];
     Plan& plan = plans_[i];
-    plan.stations = person.route;
-    plan.stations.insert(plan.stations.begin(), person.start);
+    plan.stations = stations_of(person);
     for (const TPoint2D& station : plan.stations) {
       const bool is_start = plan.fields.empty();
       if (is_start && person.after != PersonEnd::Return) {

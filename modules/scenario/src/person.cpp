@@ -66,6 +66,16 @@ void check_people(const std::string& name, const People& people) {
   check_starts(name, people);
 }
 
+std::vector<TPoint2D> stations_of(const Person& person) {
+  std::vector<TPoint2D> stations = {person.start};
+  stations.insert(stations.end(), person.route.begin(), person.route.end());
+  return stations;
+}
+
+bool stands(const Person& person) {
+  return person.route.size() == 1 && person.route[0] == person.start;
+}
+
 void add_content(Hasher& hasher, const People& people) {
   hasher.add("people").add(static_cast<std::uint64_t>(people.size()));
   for (const Person& person : people) {

@@ -75,6 +75,9 @@ TEST(EditMovers, AddsReplacesAndRemoves) {
   const Scenario more = with_mover_added(room, mover_along({{3, 3}}, 0.2, 1));
   ASSERT_EQ(more.movers().size(), 3U);
   EXPECT_EQ(more.movers()[2].id, "mover_2") << "mover_1 is taken";
+  const Scenario met = room.with_people({{"mover_2", 0.3, 1, {5, 5}, {{5, 4}}}});
+  EXPECT_EQ(with_mover_added(met, mover_along({{3, 3}}, 0.2, 1)).movers()[2].id, "mover_3")
+      << "a person has the other";
   EXPECT_NE(more.hash(), room.hash());
   EXPECT_EQ(with_mover_removed(more, 2).hash(), room.hash());
   EXPECT_EQ(with_mover_removed(room, 0).movers(), Movers{room.movers()[1]});

@@ -163,8 +163,7 @@ void mover(NVGcontext* ctx, const ViewTransform& view, const Mover& mover, doubl
 
 void person(NVGcontext* ctx, const ViewTransform& view, const Person& person, const Mover& record,
             double time) {
-  std::vector<TPoint2D> route = {person.start};
-  route.insert(route.end(), person.route.begin(), person.route.end());
+  const std::vector<TPoint2D> route = stations_of(person);
   const Color& edge = palette().person_path;
   polyline(ctx, view, record.waypoints.size() > 1 ? path_of(record) : route, faded(edge, 0.5),
            1.5F);

@@ -144,8 +144,7 @@ std::vector<DrawnMover> drawn_movers(const Scenario& scenario, const SceneOption
   }
   if (options.movers != nullptr) return drawn;
   for (const Person& person : scenario.people()) {
-    Path route = {person.start};
-    route.insert(route.end(), person.route.begin(), person.route.end());
+    Path route = stations_of(person);
     const double t = options.time ? std::numeric_limits<double>::infinity() : person.begin;
     drawn.push_back({true, {person.id, person.radius, {{t, person.start}}}, std::move(route)});
   }

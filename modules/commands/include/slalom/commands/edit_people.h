@@ -22,8 +22,6 @@ struct StationIndex {
 std::optional<StationIndex> station_at(const Scenario& scenario, const mrpt::math::TPoint2D& point,
                                        double tolerance);
 
-/// Start and route.
-std::vector<mrpt::math::TPoint2D> stations_of(const Person& person);
 /// A person without an id who walks over one or more points, the first of which is the start, at
 /// `speed` (m/s), from time 0 on. With one point it stands there; if the last point is the first,
 /// the person walks to and fro.

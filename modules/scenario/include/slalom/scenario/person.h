@@ -40,6 +40,11 @@ struct Person {
 
 using People = std::vector<Person>;
 
+/// Start and route.
+std::vector<mrpt::math::TPoint2D> stations_of(const Person& person);
+/// Whether its start is its goal, so that it stands there.
+bool stands(const Person& person);
+
 /// Throws Error (File) naming `name` and the person when there are more than 10000, an id is empty,
 /// too long (100 bytes), not UTF-8 or used twice, a radius or speed is not above 0, a route has no
 /// point, a number is not finite or exceeds a million, a speed exceeds 1000 m/s, a time is
