@@ -326,6 +326,11 @@ std::string two_digits(const Json& number) {
   return text == "-0.00" ? "0.00" : text;
 }
 
+/// Rounded up: a bound.
+std::string at_most_text(double bound) {
+  return fmt::format("{:.3f}", std::ceil(bound * 1000) / 1000);
+}
+
 std::string estimate_text(const Json& estimate) {
   return two_digits(estimate.at("value")) + " [" + two_digits(estimate.at("low")) + ", " +
          two_digits(estimate.at("high")) + "]";
@@ -425,7 +430,7 @@ Statement TuneQuestion::statement(const Json& answer) const {
           "but with more collisions: the default is recommended, unless they do not matter");
     if (better)
       statement.parts.emplace_back("collisions of the winner: at most " +
-                                   two_digits(sealed.at("tuned_collisions").at("high")) +
+                                   at_most_text(sealed.at("tuned_collisions").at("high")) +
                                    " of the runs");
     statement.parts.emplace_back("optimism of the finals: " + estimate_text(sealed.at("optimism")));
   }
