@@ -8,14 +8,11 @@ JOBS, the number of workers (2).
 """
 
 import json
-import os
-import pathlib
-import re
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-CAMPAIGN = ROOT / "configs/baselines.ini"
+from baseline_tables import BIN, CAMPAIGN, JOBS, folder_argument, method_arguments, print_table
+
 RELIABILITIES = ["0.5", "0.8", "0.95"]
 BUDGET = ["--reliability", *RELIABILITIES, "--budget", "1000", "--max-per-step", "500"]
 QUESTIONS = {
@@ -28,8 +25,8 @@ QUESTIONS = {
 def answer(folder, method, name):
     path = folder / f"{method}-{name}.certificate.json"
     if not path.exists():
-        command = [ROOT / "build/release/bin/slalom-certify", QUESTIONS[name][0], CAMPAIGN, "--method", method]
-        command += [*QUESTIONS[name][1:], "-o", path, "-j", os.environ.get("JOBS", "2"), "--quiet"]
+        command = [BIN / "slalom-certify", QUESTIONS[name][0], CAMPAIGN, "--method", method]
+        command += [*QUESTIONS[name][1:], "-o", path, "-j", JOBS, "--quiet"]
         run = subprocess.run(command, stdout=subprocess.DEVNULL)
         if run.returncode != 0:
             sys.exit(f"limits.py: {method}, {name}: exit status {run.returncode}")
@@ -50,11 +47,8 @@ def standard_rows(folder, methods):
         yield method, [f"{mark}{test['failures']}{mark}" for mark, test in zip(cells, tests)] + [f"{passed}/{len(tests)}"]
 
 
-def print_table(header, rows, key):
-    print("| " + " | ".join(header) + " |\n" + "|---" * len(header) + "|")
-    for method, cells in sorted(rows, key=key):
-        print("| " + " | ".join([method, *cells]) + " |")
-    print()
+def print_sorted(header, rows, key):
+    print_table(header, ([method, *cells] for method, cells in sorted(rows, key=key)))
 
 
 def value(text, worst):
@@ -62,20 +56,16 @@ def value(text, worst):
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    methods = sys.argv[2:] or re.search(r"^methods = (.*)$", CAMPAIGN.read_text(), re.M)[1].split(", ")
+    folder, methods = folder_argument(__doc__), method_arguments()
     header = ["method"] + [f"success >= {rate}" for rate in RELIABILITIES]
     narrow = list(limit_rows(folder, methods, "passage"))
-    print_table(header, narrow, lambda row: [value(text, 9) for text in row[1]][::-1] + [row[0]])
+    print_sorted(header, narrow, lambda row: [value(text, 9) for text in row[1]][::-1] + [row[0]])
     crowded = list(limit_rows(folder, methods, "random"))
-    print_table(header, crowded, lambda row: [-value(text, 0) for text in row[1]][::-1] + [row[0]])
+    print_sorted(header, crowded, lambda row: [-value(text, 0) for text in row[1]][::-1] + [row[0]])
     standard = list(standard_rows(folder, methods))
     tests = answer(folder, methods[0], "standard")["tests"]
     names = [f"{test['test']} {100 * test['speed']:g} %" for test in tests]
-    print_table(["method", *names, "passed"], standard, lambda row: [-int(row[1][-1].split("/")[0]), row[0]])
+    print_sorted(["method", *names, "passed"], standard, lambda row: [-int(row[1][-1].split("/")[0]), row[0]])
 
 
 main()

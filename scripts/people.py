@@ -3,20 +3,17 @@
 """Makes the tables of docs/baselines-people.md again: scripts/people.py FOLDER [METHOD...]
 
 The methods of configs/baselines.ini, or of the arguments, in slalom-people-small when nobody, half and all of the
-people notice the robot, and all by ORCA. FOLDER has a result file for each, which is continued or used again: delete them if
-methods have changed. The tables, as Markdown, are printed. Environment variable: JOBS, the number of workers (2).
+people notice the robot, and all by ORCA. FOLDER has a result file for each, which is continued or used again: delete
+them if methods have changed. The tables, as Markdown, are printed. Environment variable: JOBS, the number of workers
+(2).
 """
 
 import itertools
 import json
-import os
-import pathlib
 import subprocess
-import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-BIN = ROOT / "build/release/bin"
-JOBS = os.environ.get("JOBS", "2")
+from baseline_tables import BIN, CAMPAIGN, JOBS, folder_argument, method_arguments, print_table, testbed_list
+
 SETTINGS = {
     "none": ["people.notices=0"],
     "half": ["people.notices=0.5"],
@@ -32,9 +29,9 @@ def call(*command):
 
 def run_campaign(folder, name, scenarios, methods):
     results = folder / f"{name}.results"
-    command = [BIN / "slalom-simulate", "run", "-c", ROOT / "configs/baselines.ini", "--scenarios", scenarios]
+    command = [BIN / "slalom-simulate", "run", "-c", CAMPAIGN, "--scenarios", scenarios]
     command += ["-o", results, "-j", JOBS, "--quiet"]
-    for setting in SETTINGS[name] + (["campaign.methods=" + ",".join(methods)] if methods else []):
+    for setting in [*SETTINGS[name], "campaign.methods=" + ",".join(methods)]:
         command += ["--set", setting]
     call(*command)
     return results
@@ -55,23 +52,10 @@ def estimate(row, name, digits=2):
     return f"{row[name]:.{digits}f}" + ("" if low is None else f" [{low:.{digits}f}, {high:.{digits}f}]")
 
 
-def print_table(header, rows):
-    print("| " + " | ".join(header) + " |\n" + "|---" * len(header) + "|")
-    for cells in rows:
-        print("| " + " | ".join(cells) + " |")
-    print()
-
-
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1]).resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    scenarios = folder / "slalom-people-small.scenarios"
-    if not scenarios.exists():
-        testbed = ROOT / "configs/testbeds/slalom-people-small.ini"
-        call(BIN / "slalom-scenarios", "generate", "-c", testbed, "-o", scenarios, "-j", JOBS, "--quiet")
-    results = [run_campaign(folder, name, scenarios, sys.argv[2:]) for name in SETTINGS]
+    folder = folder_argument(__doc__)
+    scenarios = testbed_list(folder, "slalom-people-small")
+    results = [run_campaign(folder, name, scenarios, method_arguments()) for name in SETTINGS]
     tables = compare(results)
     successes = {name[: -len("_success")]: rows for name, rows in tables.items() if name.endswith("_success")}
     methods = sorted(successes, key=lambda method: -sum(row["success"] for row in successes[method]))

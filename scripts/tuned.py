@@ -8,16 +8,9 @@ workers (2).
 """
 
 import json
-import os
-import pathlib
-import re
 import subprocess
-import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-BIN = ROOT / "build/release/bin"
-CAMPAIGN = ROOT / "configs/baselines.ini"
-JOBS = os.environ.get("JOBS", "2")
+from baseline_tables import BIN, CAMPAIGN, JOBS, folder_argument, method_arguments, print_table, testbed_list
 
 
 def answer(folder, scenarios, method):
@@ -55,21 +48,11 @@ def row(method, found):
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1]).resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    scenarios = folder / "slalom-standard.scenarios"
-    if not scenarios.exists():
-        testbed = ROOT / "configs/testbeds/slalom-standard.ini"
-        subprocess.run(
-            [BIN / "slalom-scenarios", "generate", "-c", testbed, "-o", scenarios, "-j", JOBS, "--quiet"], check=True
-        )
-    methods = sys.argv[2:] or re.search(r"^methods = (.*)$", CAMPAIGN.read_text(), re.M)[1].split(", ")
-    rows = [row(method, answer(folder, scenarios, method)) for method in methods]
-    print("| method | default | tuned | difference | collisions: default, tuned | verdict |\n|---|---|---|---|---|---|")
-    for cells in sorted(rows, key=lambda cells: cells[2], reverse=True):
-        print("| " + " | ".join(cells) + " |")
+    folder = folder_argument(__doc__)
+    scenarios = testbed_list(folder, "slalom-standard")
+    rows = [row(method, answer(folder, scenarios, method)) for method in method_arguments()]
+    header = ["method", "default", "tuned", "difference", "collisions: default, tuned", "verdict"]
+    print_table(header, sorted(rows, key=lambda cells: cells[2], reverse=True))
 
 
 main()
