@@ -51,8 +51,8 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
       app.add_option(
              "--witness", arguments.witnesses,
              "A method that must reach the goal, which proves that the scenario can be solved; "
-             "of several, any. Default: the other methods of the campaign, and among people the "
-             "method itself if they do not notice it")
+             "of several, any. Default: the other methods of the campaign, and among people, "
+             "without a proof, the method itself if they do not notice it")
           ->take_all()
           ->allow_extra_args(false),
       known_methods);

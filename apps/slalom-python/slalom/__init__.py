@@ -332,9 +332,9 @@ def evaluate(
     barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits`,
     `tracks` and `people` are dicts of the keys of these sections in a campaign's .ini, `lasers` a dict of names to the keys
     of [laser.NAME]. Methods run in worker processes, unless
-    `in_process`. With `show_output` what they print stands on the terminal (standard error). `progress(phase, done, total)` is called meanwhile; True is a bar
-    on a terminal or in a notebook, and nothing in a file. Raises Error for invalid
-    arguments, and KeyboardInterrupt after Ctrl-C.
+    `in_process`. With `show_output` what they print stands on the terminal (standard error).
+    `progress(phase, done, total)` is called meanwhile; True is a bar on a terminal or in a notebook, and
+    nothing in a file. Raises Error for invalid arguments, and KeyboardInterrupt after Ctrl-C.
     """
     sections = {
         "robot": robot,

@@ -27,7 +27,8 @@ struct FalsificationSetup {
   /// solved.
   std::vector<NamedMethod> witnesses;
 
-  /// The method itself, where people do not notice the robot, is a witness too: see witnesses_in().
+  /// The method itself among people who do not notice it may stand in for a witness: see
+  /// witnesses_in().
   bool unnoticed_witness = false;
 
   /// Moving obstacles in each scenario that is drawn, besides those of the mix.
@@ -46,9 +47,10 @@ struct FalsificationSetup {
   std::size_t surrogate_index() const { return witnesses.size() + 1; }
   std::size_t unnoticed_index() const { return witnesses.size() + 2; }
 
-  /// The indexes of those whose success proves that the scenario can be solved. Among people who
-  /// notice the robot, whose motion depends on it, so does a success of the method itself among
-  /// the same people if they do not.
+  /// The indexes of those of which one has to reach the goal. The success of a witness proves that
+  /// the scenario can be solved. That of the method itself among the same people if they do not
+  /// notice it does not: those who do walk otherwise. It shows that only their reaction is in the
+  /// way.
   std::vector<std::size_t> witnesses_in(const Scenario& scenario) const;
   bool has_witness() const;  ///< in a scenario that is drawn
   /// "nd"; "nd among people who do not notice it".
