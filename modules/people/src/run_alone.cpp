@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/people/run_alone.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slalom {
 namespace {
@@ -58,7 +60,8 @@ Arrivals PeopleAlone::arrivals_beside(double until) {
   constexpr double kShift = 1e-12;  // m
   if (!beside_) {
     People people = world_.scenario().people();
-    people[0].start.x += kShift;
+    double& x = people[0].start.x;
+    x = std::max(x + kShift, std::nextafter(x, std::numeric_limits<double>::infinity()));
     beside_.emplace(world_, people, settings_);
   }
   for (; beside_->time() <= until; beside_->move()) beside_->decide();
