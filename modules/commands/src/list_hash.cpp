@@ -12,6 +12,10 @@ std::string content_hash(const ScenarioList& list) {
     hashes.push_back(entry.hash);
     return true;
   });
+  return content_hash(std::move(hashes));
+}
+
+std::string content_hash(std::vector<std::string> hashes) {
   std::sort(hashes.begin(), hashes.end());
   Hasher hasher;
   hasher.add(static_cast<std::uint64_t>(hashes.size()));

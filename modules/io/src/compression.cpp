@@ -14,11 +14,11 @@ constexpr unsigned long long kMaxExpansion = 32768;
 
 }  // namespace
 
-std::string compress(const std::string& bytes) {
+std::string compress(const std::string& bytes, int level) {
   // Used again: to allocate it takes longer than to compress a run.
   thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
                                                                                   ZSTD_freeCCtx);
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, 3);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
   std::string result(ZSTD_compressBound(bytes.size()), '\0');
   const std::size_t size =
@@ -26,6 +26,18 @@ std::string compress(const std::string& bytes) {
   if (ZSTD_isError(size) != 0) throw job_error("compression", ZSTD_getErrorName(size));
   result.resize(size);
   return result;
+}
+
+std::string decompress_head(const std::string& bytes, std::size_t size) {
+  const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
+                                                                     ZSTD_freeDCtx);
+  std::string head(size, '\0');
+  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+  ZSTD_outBuffer out{head.data(), head.size(), 0};
+  while (out.pos < out.size && in.pos < in.size)
+    if (ZSTD_isError(ZSTD_decompressStream(context.get(), &out, &in)) != 0) break;
+  head.resize(out.pos);
+  return head;
 }
 
 std::string decompress(const std::string& bytes, const std::string& where, std::size_t max_size) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "compression.h"
 #include "database.h"
 #include "transaction.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/file_format.h>
 #include <slalom/core/read_file.h>
+#include <slalom/io/bundle.h>
 #include <slalom/io/foreign_database.h>
 #include <slalom/io/read_results.h>
 
@@ -20,13 +22,15 @@ namespace slalom {
 namespace {
 
 constexpr int kBusyTimeoutMs = 10000;
+constexpr std::string_view kDatabaseMagic("SQLite format 3\0", 16);
 
 /// SQLite also opens the files beside a database, and waits for the writer of a pipe.
 void require_regular_files(const std::string& path, const std::string& kind) {
   require_regular_file(path, kind);
   for (const char* const suffix : {"-journal", "-wal"}) {
     const std::string companion = path + suffix;
-    if (access(companion.c_str(), F_OK) == 0)
+    struct stat found = {};  // a writer may remove it at any time
+    if (stat(companion.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
       require_regular_file(companion, "the journal of " + kind);
   }
 }
@@ -98,7 +102,9 @@ class StepLimit {
   bool is_exceeded() {
     constexpr std::int64_t kMinSteps = 10000000, kStepsPerByte = 100;
     const char* const path = sqlite3_db_filename(handle_, "main");
-    const std::int64_t size = FileIdentity(path == nullptr ? "" : path).size();
+    sqlite3_int64 size = 0;
+    if (sqlite3_serialize(handle_, "main", &size, SQLITE_SERIALIZE_NOCOPY) == nullptr)
+      size = FileIdentity(path == nullptr ? "" : path).size();  // not in memory
     const std::int64_t allowed = (kMinSteps + kStepsPerByte * size) / kStepsPerCheck;
     sqlite3_stmt* statement = nullptr;
     while ((statement = sqlite3_next_stmt(handle_, statement)) != nullptr)
@@ -109,6 +115,22 @@ class StepLimit {
   sqlite3* handle_;
   std::map<sqlite3_stmt*, std::int64_t> checks_;  ///< during the present execution
 };
+
+/// The database in a bundle, in memory.
+std::unique_ptr<SQLite::Database> open_bundle(const std::string& path, int flags = 0) {
+  const std::string content = decompress(read_file(path, "a bundle (.slalom)"), path);
+  auto database = std::make_unique<SQLite::Database>(
+      ":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | flags);
+  auto* const pages = static_cast<unsigned char*>(sqlite3_malloc64(content.size() + 1));
+  if (pages == nullptr) throw std::bad_alloc();
+  std::copy(content.begin(), content.end(), pages);
+  const auto size = static_cast<sqlite3_int64>(content.size());
+  const int status =
+      sqlite3_deserialize(database->getHandle(), "main", pages, size, size,
+                          SQLITE_DESERIALIZE_READONLY | SQLITE_DESERIALIZE_FREEONCLOSE);
+  if (status != SQLITE_OK) throw SQLite::Exception(database->getHandle(), status);
+  return database;
+}
 
 void refuse_foreign_schema(SQLite::Database& database, const std::string& path,
                            const std::string& schema, const std::string& kind) {
@@ -242,10 +264,31 @@ bool is_new_database(const std::string& path) {
   }
 }
 
+bool is_database(const std::string& path) {
+  require_regular_file(path, "a result file (.results) or a table (.csv)");
+  std::string head(kDatabaseMagic.size(), ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return file && head == kDatabaseMagic;
+}
+
+bool is_bundle(const std::string& path) {
+  require_regular_file(path, "a result file (.results), a bundle (.slalom) or a table (.csv)");
+  std::string head(4, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (!file || head != "\x28\xB5\x2F\xFD") return false;  // of zstd
+  head.resize(kHeadOfBlock);
+  file.read(head.data() + 4, static_cast<std::streamsize>(head.size() - 4));
+  head.resize(4 + static_cast<std::size_t>(file.gcount()));
+  return decompress_head(head, kDatabaseMagic.size()) == kDatabaseMagic;
+}
+
 std::unique_ptr<SQLite::Database> open_reader(const std::string& path, int flags) {
   require_regular_files(path, "a file written by Slalom");
-  auto database =
-      std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY | flags, kBusyTimeoutMs);
+  auto database = is_bundle(path) ? open_bundle(path, flags)
+                                  : std::make_unique<SQLite::Database>(
+                                        path, SQLite::OPEN_READONLY | flags, kBusyTimeoutMs);
   distrust(*database, path);
   return database;
 }
@@ -269,10 +312,12 @@ std::unique_ptr<SQLite::Database> open_foreign_database(const std::string& path,
 
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind) {
   require_regular_files(path, kind.name);
-  refuse_foreign_file(path, kind.name);
+  const bool packed = is_bundle(path);
+  if (!packed) refuse_foreign_file(path, kind.name);
   const int mode = access(path.c_str(), W_OK) == 0 ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY;
   return reading(path, [&] {
-    auto database = std::make_unique<SQLite::Database>(path, mode, kBusyTimeoutMs);
+    auto database =
+        packed ? open_bundle(path) : std::make_unique<SQLite::Database>(path, mode, kBusyTimeoutMs);
     try {
       expect_kind(*database, path, kind);
       distrust(*database, path);

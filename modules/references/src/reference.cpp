@@ -81,6 +81,12 @@ void query_planner(const ReferencePlanner& planner, const PlanningProblem& probl
 
 }  // namespace
 
+void remove_paths(References& references) {
+  if (references.shortest) references.shortest->path.clear();
+  if (references.safest) references.safest->path.clear();
+  if (references.arrival) references.arrival->plan.clear();
+}
+
 bool is_free(const World& world, const Path& path, double radius) {
   const DistanceField& field = world.distance_field();
   if (path.size() == 1) return field.clearance(path[0]) >= radius - kContactTolerance;

@@ -248,7 +248,9 @@ class ColumnReader {
                   "SELECT run, wall_seconds, figures, checksum FROM run_timings ORDER BY run");
     std::vector<bool> found(keys_.size(), false);
     std::size_t row = 0;
+    bool any = false;
     while (rows.next()) {
+      any = true;
       const std::int64_t run = rows.integer(0);
       while (row < keys_.size() && keys_[row] < run) ++row;
       if (row == keys_.size()) break;
@@ -260,7 +262,7 @@ class ColumnReader {
         if (value.is_number()) figures[id].emplace_back(row, value.get<double>());
       }
     }
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    for (std::size_t i = 0; any && i < found.size(); ++i) {  // a bundle has none
       if (!found[i]) columns_.damaged.push_back("wall-clock figures of run " + run_id(columns_, i));
     }
     for (const auto& [id, values] : figures) {

@@ -6,6 +6,7 @@
 #include "unequal.h"
 
 #include <slalom/core/text.h>
+#include <slalom/io/bundle.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/result_file.h>
@@ -199,6 +200,7 @@ MergedResults::MergedResults(const std::string& path, const std::string& first) 
 MergedResults::~MergedResults() = default;
 
 std::size_t MergedResults::add(const std::string& file) {
+  refuse_bundle(file, "result files (.results), of which bundles are made");
   const Manifest manifest = ResultFile::open(file).read_manifest();
   expect_same_campaign(impl_->manifest, manifest, file, "results of the same campaign");
   add_repeated_runs(manifest, impl_->manifest);

@@ -3,12 +3,11 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/file_format.h>
-#include <slalom/core/read_file.h>
+#include <slalom/io/bundle.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/read_results.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace slalom {
 namespace {
@@ -43,19 +42,10 @@ std::vector<std::string> shards_in(const std::string& folder) {
   return files;
 }
 
-bool is_database(const std::string& path) {
-  require_regular_file(path, "a result file (.results) or a table (.csv)");
-  const std::string magic("SQLite format 3\0", 16);
-  std::string head(magic.size(), ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return file && head == magic;
-}
-
 bool is_result_input(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(path, ignored) ||
-         (is_database(path) && !recognize_file(path));
+         (is_database(path) && !recognize_file(path)) || is_bundle(path);
 }
 
 }  // namespace slalom

@@ -82,6 +82,9 @@ struct References {
   }
 };
 
+/// Keeps lengths, bounds and reasons only.
+void remove_paths(References& references);
+
 /// The input of a planner.
 struct PlanningProblem {
   const World& world;
