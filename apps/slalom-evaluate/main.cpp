@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/table_text.h>
+#include <slalom/app/bundled_methods.h>
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/app/interrupt.h>
@@ -28,6 +29,8 @@ struct Arguments {
   std::string until;         ///< a StoppingRule
   std::size_t max_runs = 0;  ///< of that rule
   std::string output;
+  std::string bundle;  ///< a file to write, or ""
+  bool with_sources = false;
 };
 
 /// Keeps the list of a campaign that is `continued`, to which descriptors or tags may have been
@@ -108,6 +111,7 @@ void evaluate(const Arguments& arguments) {
     possible.add_goal_heading_metrics();
     rule = read_rule(possible);
   }
+  if (!arguments.bundle.empty()) refuse_output_over_inputs(arguments.bundle, ini);
   make_output_folder(arguments.output);
   const std::string results = arguments.output + "/runs.results";
   const InterruptGuard guard;  // from before the lock, which must not remain
@@ -129,6 +133,9 @@ void evaluate(const Arguments& arguments) {
   measure_repeatability(config, arguments.campaign, results);
   store_descriptors(config.options, results, arguments.output + "/campaign.scenarios");
   write_tables_and_report(arguments, results, config.analysis.report);
+  if (!arguments.bundle.empty())
+    std::cout << write_campaign_bundle(results, arguments.bundle, config, arguments.with_sources)
+              << "\n";
   print_method_failures(report, results);
   require_sound_runs(report, results);
 }
@@ -149,6 +156,13 @@ void define(CLI::App& app) {
   app.add_option("--max-runs", arguments.max_runs,
                  "With --until: no further batch after this number of runs")
       ->needs(until);
+  CLI::Option* bundle =
+      app.add_option("--bundle", arguments.bundle,
+                     "Also write a bundle (.slalom), one small file with which others can verify "
+                     "the results: slalom-simulate verify");
+  app.add_flag("--with-sources", arguments.with_sources,
+               "With --bundle: with the libraries, modules and models that the methods consist of")
+      ->needs(bundle);
   app.add_flag_callback(
       "--options",
       [] {

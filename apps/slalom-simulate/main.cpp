@@ -62,6 +62,7 @@ void define(CLI::App& app) {
       "merge");
   add_campaign_options(*verb, arguments.campaign);
   verb->callback([] { run(arguments); });
+  define_bundle(app);
   define_merge(app);
   define_status(app);
   define_parameters(app);

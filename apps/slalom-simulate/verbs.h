@@ -5,7 +5,8 @@
 
 namespace slalom {
 
-// Each adds one verb.
+// Each adds a verb.
+void define_bundle(CLI::App& app);  ///< and unpack
 void define_merge(CLI::App& app);
 void define_parameters(CLI::App& app);
 void define_slurm(CLI::App& app);

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "badge.h"
 #include "verbs.h"
 
+#include <slalom/app/bundled_methods.h>
+#include <slalom/app/external_options.h>
 #include <slalom/app/program.h>
 #include <slalom/app/verify_results.h>
+#include <slalom/core/scratch_folder.h>
+#include <slalom/io/result_file.h>
 
 #include <iostream>
 
@@ -13,17 +18,34 @@ struct VerifyArguments {
   std::string results;
   CampaignArguments campaign;
   VerifySample sample;
+  bool badge = false;
 };
 
-void verify(const VerifyArguments& arguments) {
-  const VerifyReport report = verify_results(arguments.results, arguments.campaign,
-                                             arguments.sample, [](const auto& differences) {
-                                               for (const std::string& line : differences)
-                                                 std::cout << "environment: " << line << "\n";
-                                             });
+/// The methods in a bundle are those that are run, unless an .ini is given.
+void use_bundled_methods(VerifyArguments& arguments, const ScratchFolder& folder) {
+  const std::string& bundle = arguments.results;
+  if (!arguments.campaign.config.empty() || read_bundled_files(bundle).empty()) return;
+  if (!arguments.sample.trust)
+    require_no_foreign_code(
+        IniFile::from_text(ResultFile::open(bundle).read_manifest()["campaign.ini"], bundle), {},
+        bundle, "--trust if you trust it; slalom-simulate unpack shows what it contains");
+  arguments.campaign.config = unpack_methods(bundle, folder.path());
+}
+
+void print_environment(const std::vector<std::string>& differences) {
+  for (const std::string& line : differences) std::cout << "environment: " << line << "\n";
+}
+
+void verify(VerifyArguments& arguments) {
+  const ScratchFolder folder;
+  use_bundled_methods(arguments, folder);
+  const VerifyReport report =
+      verify_results(arguments.results, arguments.campaign, arguments.sample, print_environment);
+  if (!report.scenario_set.empty()) std::cout << "scenarios: " << report.scenario_set << "\n";
   for (const std::string& line : report.time_limits) std::cout << "environment: " << line << "\n";
   for (const std::string& line : report.not_repeatable) std::cout << line << "\n";
   for (const std::string& line : report.differences) std::cout << line << "\n";
+  if (arguments.badge && report.complete) write_badge(arguments.results, arguments.sample, report);
   std::cout << verdict(report, arguments.results) << "\n";
 }
 
@@ -33,19 +55,26 @@ void define_verify(CLI::App& app) {
   static VerifyArguments arguments;
   CLI::App* verb =
       app.add_subcommand("verify", "Run a sample or one run again and compare it bit by bit");
-  verb->add_option("results", arguments.results, "A result file (.results)")->required();
+  verb->add_option("results", arguments.results, "A result file (.results) or bundle (.slalom)")
+      ->required();
   CLI::Option* fraction =
       verb->add_option("--fraction", arguments.sample.fraction, "Part of the scenarios")
           ->check(CLI::Range(0.0, 1.0))
           ->capture_default_str();
-  verb->add_option("--run", arguments.sample.run, "Only this run: SCENARIO/METHOD/REPETITION")
-      ->excludes(fraction);
+  CLI::Option* run =
+      verb->add_option("--run", arguments.sample.run, "Only this run: SCENARIO/METHOD/REPETITION")
+          ->excludes(fraction);
   verb->add_option("--seed", arguments.sample.seed, "Seed of the choice of scenarios")
       ->capture_default_str();
   verb->add_option("-c,--config", arguments.campaign.config,
                    "The campaign's .ini, if its files are elsewhere; default: that in the results");
   verb->add_flag("--trust", arguments.sample.trust,
                  "Execute the libraries, modules and commands that the results name");
+  verb->add_flag("!--no-scenarios", arguments.sample.scenarios,
+                 "Do not generate the scenarios again to compare them");
+  verb->add_flag("--badge", arguments.badge,
+                 "Write what was found to RESULTS.verified.json and a badge, RESULTS.verified.svg")
+      ->excludes(run);
   add_jobs_option(*verb, arguments.campaign.jobs, "Worker processes");
   verb->add_flag("--quiet", arguments.campaign.quiet, "No progress");
   verb->callback([] { verify(arguments); });

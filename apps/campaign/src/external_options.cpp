@@ -12,12 +12,14 @@
 namespace slalom {
 namespace {
 
-/// A library that comes with Slalom, by its name or its path.
-bool is_shipped(const IniFile& ini, const ExternalOption& option) {
+/// A library that comes with Slalom, by its name or its path. One that does not exist is none.
+bool is_shipped(const IniFile& ini, const ExternalOption& option) try {
   const std::filesystem::path path = resolve_plugin_path(ini, option.section, option.key);
   std::error_code ignored;
   return contains(shipped_plugins(), path.filename().string()) &&
          std::filesystem::equivalent(path.parent_path(), shipped_folder(), ignored);
+} catch (const Error&) {
+  return false;
 }
 
 bool is_foreign(const IniFile& ini, const ExternalOption& option) {

@@ -3,6 +3,7 @@
 
 #include <slalom/analysis/cell.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/testbeds.h>
 #include <slalom/app/verify_results.h>
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
@@ -13,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -278,6 +280,19 @@ TEST_F(RosParameterCampaign, ValuesThatTheMethodRefusesAreNamedWithTheirLine) {
   EXPECT_TRUE(throws_error(
       ErrorKind::Usage, folder_ + "/nav.yaml:2: DWAPlannerROS.max_vel_x: ", {"robot.max_v", "> 0"},
       [&] { check("DWAPlannerROS:\n  max_vel_x: -1\n"); }));
+}
+
+TEST(TestBedNames, AreThoseOfTheHashesInTheDocumentation) {
+  std::istringstream lines(read_file(SLALOM_DOCS "/testbeds.md"));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t hash = line.rfind("` | ") - 32;
+    if (line.rfind("| `", 0) != 0 || hash > line.size() || line[hash - 1] != '`') continue;
+    EXPECT_EQ(testbed_of(line.substr(hash, 32)), line.substr(3, line.find('`', 3) - 3)) << line;
+    ++count;
+  }
+  EXPECT_EQ(count, 8U);
+  EXPECT_EQ(testbed_of(std::string(32, '0')), "");
 }
 
 }  // namespace

@@ -17,12 +17,19 @@ struct VerifySample {
   std::uint64_t seed = 1;
   std::string run;     ///< HASH8/METHOD/REPETITION; empty: all runs of the scenarios of the sample
   bool trust = false;  ///< execute and load what the methods in the file name
+  bool scenarios = true;  ///< make generated scenarios again and compare them
 };
 
 struct VerifyReport {
-  bool complete = false;  ///< false if interrupted
-  std::size_t scenarios = 0, runs = 0;
-  std::vector<std::string> differences;  ///< one line per run or scenario that is not the same
+  bool complete = false;                ///< false if interrupted
+  std::size_t scenarios = 0, runs = 0;  ///< that were executed again
+  std::size_t total_runs = 0;           ///< of the file; 0 for one run
+  /// "200 scenarios of hash 0123..., those of slalom-small"; "" if they were not compared.
+  std::string scenario_set;
+  /// One line per run or scenario that is not the same, for missing runs, and for each statement of
+  /// the manifest that its campaign does not make.
+  std::vector<std::string> differences;
+  std::vector<std::string> environment;  ///< as the EnvironmentHandler receives it
   /// One line per run that is not the same because a limit of time ended it: such runs depend on
   /// the machine.
   std::vector<std::string> time_limits;
@@ -34,11 +41,12 @@ struct VerifyReport {
 /// Receives what differs from the programs, files of methods and machine that made the file.
 using EnvironmentHandler = std::function<void(const std::vector<std::string>& differences)>;
 
-/// Runs a sample of the scenarios of a result file again, all methods and repetitions, or one run,
-/// and compares descriptors, references, outcomes, metrics and trajectories bit by bit;
-/// calls `on_environment` before. The campaign is the one in the file, or `arguments.config` if it
-/// is not empty. Throws Error, also for the former if it names foreign code, see
-/// require_no_foreign_code().
+/// Runs a sample of the scenarios of a result file or bundle again, all methods and repetitions, or
+/// one run, and compares descriptors, references, outcomes, metrics and trajectories bit by bit;
+/// unless it is one run also whether the file contains all runs of its campaign, and the scenarios
+/// that this generates. Calls `on_environment` before. The campaign is the one in the file, or
+/// `arguments.config` if it is not empty. Throws Error, also for the former if it names foreign
+/// code, see require_no_foreign_code().
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
                             const VerifySample& sample, const EnvironmentHandler& on_environment);
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "manifest.h"
+#include "verify_plan.h"
+
+#include <slalom/app/testbeds.h>
+#include <slalom/campaign/shards.h>
+#include <slalom/commands/list_hash.h>
+#include <slalom/core/text.h>
+#include <slalom/io/campaign_identity.h>
+#include <slalom/io/find_run.h>
+#include <slalom/map_formats/map_import.h>
+
+#include <algorithm>
+#include <set>
+
+namespace slalom {
+namespace {
+
+std::vector<std::string> hashes_of(const ResultFile& file) {
+  std::vector<std::string> hashes;
+  for (const auto& [hash, name] : file.read_scenario_names()) hashes.push_back(hash);
+  return hashes;
+}
+
+RunRecord run_of(const std::string& hash, const std::string& method, int repetition) {
+  RunRecord run;
+  run.scenario_hash = hash;
+  run.method = method;
+  run.repetition = repetition;
+  return run;
+}
+
+/// "robot.max_v was 2 and is 1"
+std::string difference_text(const IdentityDifference& difference) {
+  return "its manifest states " + difference.key + " = " + difference.there +
+         ", its campaign has " + difference.here;
+}
+
+}  // namespace
+
+std::string PlanComparison::text() const {
+  if (!shard.empty()) return "is shard " + shard + " of its campaign";
+  if (!foreign.empty()) return "contains run " + foreign + ", which is not of its campaign";
+  return "lacks " + std::to_string(planned - present) + " of " + count_text(planned, "run") +
+         " of its campaign, " + first_missing + " first";
+}
+
+PlanComparison compare_plan(const ResultFile& file, const CampaignConfig& config) {
+  PlanComparison plan;
+  const Manifest manifest = file.read_manifest();
+  const std::vector<std::string> hashes = hashes_of(file);
+  const int repetitions = config.options.repetitions;
+  plan.planned = hashes.size() * config.methods.size() * static_cast<std::size_t>(repetitions);
+  if (manifest.count("until") == 0) {
+    const RunPlan stated = plan_of(manifest, file.path());
+    if (stated.shard.count > 1) plan.shard = to_string(stated.shard);
+    plan.planned = stated.scenarios * config.methods.size() * static_cast<std::size_t>(repetitions);
+    if (stated.scenarios > hashes.size()) plan.first_missing = "those of a scenario";
+  }
+  std::set<std::string> methods;
+  for (const NamedMethod& method : config.methods) methods.insert(method.name);
+  std::set<std::tuple<std::string, std::string, int>> found;
+  file.for_each_key(
+      [&](const std::string& hash, const std::string& method, int repetition, const std::string&) {
+        ++plan.present;
+        if (methods.count(method) == 0 || repetition < 0 || repetition >= repetitions)
+          plan.foreign = run_id(run_of(hash, method, repetition));
+        found.emplace(hash, method, repetition);
+      });
+  for (const std::string& hash : hashes)
+    for (const std::string& method : methods)
+      for (int repetition = 0; repetition < repetitions; ++repetition)
+        if (plan.first_missing.empty() && found.count({hash, method, repetition}) == 0)
+          plan.first_missing = "run " + run_id(run_of(hash, method, repetition));
+  return plan;
+}
+
+std::vector<std::string> statement_differences(const ResultFile& file,
+                                               const CampaignConfig& config) {
+  const auto is_compared = [](const std::string& key) {
+    return !starts_with(key, "version.") && !starts_with(key, "scenarios.") &&
+           !starts_with(key, "until") && !starts_with(key, kKeptPrefix) && !is_method_file(key);
+  };
+  const Manifest recorded = file.read_manifest();
+  Manifest here = make_manifest(config, {}, std::nullopt);
+  std::vector<std::string> differences;
+  // An option that another version of Slalom does not have is stated by one of them only.
+  const auto parts = identity_parts(here), stated = identity_parts(recorded);
+  for (const IdentityDifference& difference : identity_differences(here, recorded))
+    if (is_compared(difference.key) && parts.count(difference.key) > 0 &&
+        stated.count(difference.key) > 0)
+      differences.push_back(difference_text(difference));
+  for (const char* key : {kPrivilegedKey, kKnownMapKey, "seed", "campaign"}) {
+    const auto found = recorded.find(key);
+    const std::string text = found == recorded.end() ? "" : found->second;
+    if (text != here[key]) differences.push_back(difference_text({key, here[key], text}));
+  }
+  return differences;
+}
+
+ScenarioSet compare_scenarios(const ResultFile& file, const CampaignConfig& config, int jobs,
+                              Progress& progress) {
+  const std::vector<std::string> hashes = hashes_of(file);
+  const std::string hash = content_hash(hashes), testbed = testbed_of(hash);
+  ScenarioSet set;
+  set.text = count_text(hashes.size(), "scenario") + " of hash " + hash +
+             (testbed.empty() ? "" : ", those of " + testbed);
+  ScenarioSources sources = config.sources;
+  if (!sources.section.list.empty() || !sources.section.maps.empty()) return set;
+  sources.context.jobs = jobs;
+  std::set<std::string> made;
+  for (const Scenario& scenario : collect_scenarios(sources, load_occupancy_grid, progress))
+    made.insert(scenario.hash());
+  const auto others = static_cast<std::size_t>(std::count_if(
+      hashes.begin(), hashes.end(), [&](const std::string& one) { return made.count(one) == 0; }));
+  const bool whole = file.read_manifest().count("until") == 0;
+  if (others == 0 && whole && made.size() != hashes.size())
+    set.differences.push_back("the file has " + count_text(hashes.size(), "scenario") +
+                              ", the campaign generates " + std::to_string(made.size()));
+  if (others > 0)
+    set.differences.push_back(count_text(others, "scenario") + " of " +
+                              std::to_string(hashes.size()) +
+                              " are not those that the campaign generates");
+  if (set.differences.empty()) set.text += ", generated again";
+  return set;
+}
+
+}  // namespace slalom

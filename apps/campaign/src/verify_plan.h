@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <slalom/app/campaign_program.h>
+#include <slalom/core/progress.h>
+#include <slalom/io/result_file.h>
+
+#include <string>
+#include <vector>
+
+namespace slalom {
+
+/// The runs of its campaign that a result file contains.
+struct PlanComparison {
+  std::size_t planned = 0, present = 0;
+  std::string shard;          ///< "3/16": the file contains no other part; "": the whole campaign
+  std::string first_missing;  ///< HASH8/METHOD/REPETITION, or "a scenario"
+  std::string foreign;        ///< a run that is not in the plan
+
+  bool complete() const { return shard.empty() && present == planned && foreign.empty(); }
+  /// "lacks 3 of 2001 runs of its campaign, run 0123abcd/nd/0 first".
+  std::string text() const;
+};
+
+/// Compares with the plan of the campaign: all methods and repetitions in all scenarios, of which
+/// there are as many as the manifest says. With a stopping rule the number of scenarios is not
+/// known before.
+PlanComparison compare_plan(const ResultFile& file, const CampaignConfig& config);
+
+/// Statements of the manifest that `config`, read from its .ini, does not make: an option, the
+/// methods that know the map. Versions, files of methods and the processor are not compared.
+std::vector<std::string> statement_differences(const ResultFile& file,
+                                               const CampaignConfig& config);
+
+/// The scenarios of a result file.
+struct ScenarioSet {
+  std::string text;  ///< "667 scenarios, generated again, hash 0123..." or what they are instead
+  std::vector<std::string> differences;
+};
+
+/// Makes the scenarios again if the campaign generates all of them, and compares. A list and maps
+/// are not read: what counts is the hash of their scenarios, see content_hash(), and the name of
+/// the test bed that has it.
+ScenarioSet compare_scenarios(const ResultFile& file, const CampaignConfig& config, int jobs,
+                              Progress& progress);
+
+}  // namespace slalom

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "badge.h"
+
+#include <slalom/core/hash.h>
+#include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
+#include <slalom/core/version.h>
+#include <slalom/io/result_file.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+struct Badge {
+  std::string message, color;
+};
+
+Badge badge_of(const VerifyReport& report) {
+  if (!report.differences.empty()) return {"different", "red"};
+  if (report.runs == report.time_limits.size() + report.not_repeatable.size())
+    return {"not repeatable", "lightgrey"};
+  return {
+      std::to_string(report.runs) + " of " + std::to_string(report.total_runs) + " runs verified",
+      "brightgreen"};
+}
+
+/// A badge of two fields; its widths are those of a sans serif of 11 pixels, roughly.
+std::string svg_of(const std::string& label, const Badge& badge) {
+  constexpr std::size_t kCharacter = 7, kMargin = 10;
+  const std::size_t left = kCharacter * label.size() + kMargin,
+                    right = kCharacter * badge.message.size() + kMargin;
+  const char* const color = badge.color == "red"           ? "#b62324"
+                            : badge.color == "brightgreen" ? "#1a7f37"
+                                                           : "#6e7781";
+  return fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="20" role="img" aria-label="{4}: {5}">
+<title>{4}: {5}</title>
+<rect width="{0}" height="20" rx="3" fill="#3d444d"/>
+<path d="M{1} 0h{2}a3 3 0 0 1 3 3v14a3 3 0 0 1-3 3h-{2}z" fill="{3}"/>
+<g fill="#fff" text-anchor="middle" font-family="Verdana,DejaVu Sans,sans-serif" font-size="11">
+<text x="{6}" y="14" textLength="{7}">{4}</text>
+<text x="{8}" y="14" textLength="{9}">{5}</text>
+</g>
+</svg>
+)",
+      left + right, left, right - 3, color, label, badge.message, left / 2, left - kMargin,
+      left + right / 2, right - kMargin);
+}
+
+}  // namespace
+
+void write_badge(const std::string& results, const VerifySample& sample,
+                 const VerifyReport& report) {
+  const Badge badge = badge_of(report);
+  const nlohmann::json json = {
+      {"schemaVersion", 1},
+      {"label", "slalom"},
+      {"message", badge.message},
+      {"color", badge.color},
+      {"file_hash", Hasher().add(read_file(results, "a result file or bundle")).hex()},
+      {"scenario_set", report.scenario_set},
+      {"fraction", sample.fraction},
+      {"seed", sample.seed},
+      {"scenarios", report.scenarios},
+      {"runs", report.runs},
+      {"total_runs", report.total_runs},
+      {"differences", report.differences},
+      {"time_limits", report.time_limits},
+      {"not_repeatable", report.not_repeatable},
+      {"environment", report.environment},
+      {"version", version()},
+      {"processor", processor_name()},
+      {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))}};
+  write_file_atomically(results + ".verified.json", json.dump(1) + "\n");
+  write_file_atomically(results + ".verified.svg", svg_of("slalom", badge));
+}
+
+}  // namespace slalom

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program_run.h"
+
+#include <slalom/core/hash.h>
+#include <slalom/io/bundle.h>
+#include <slalom/io/result_file.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+/// Changes of a result file by a forger; checksums are right afterwards.
+struct Forgery {
+  std::function<void(Manifest&)> manifest = [](Manifest&) {};
+  std::function<bool(RunRecord&)> run = [](RunRecord&) { return true; };  ///< false: left out
+  /// Whether the scenario of this number stays.
+  std::function<bool(std::size_t)> scenario = [](std::size_t) { return true; };
+};
+
+class Bundles : public ResultsTest {
+ protected:
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  void forge(const Forgery& forgery, const BundleOptions& options = {}) const {
+    const ResultFile from = ResultFile::open(path("runs.results"));
+    Manifest manifest = from.read_manifest();
+    forgery.manifest(manifest);
+    {
+      ResultFile to =
+          ResultFile::create(path("forged.results"), manifest, from.descriptors(), from.metrics());
+      std::size_t number = 0;
+      for (const auto& [hash, name] : from.read_scenario_names()) {
+        if (!forgery.scenario(number++)) continue;
+        to.add_scenario(from.read_record(hash), from.read_scenario(hash),
+                        from.read_references(hash));
+        for (RunRecord run : from.read_runs(hash))
+          if (forgery.run(run)) to.add_run(run, {}, from.read_trajectory(run));
+      }
+      to.commit();
+    }
+    write_bundle(path("forged.results"), path("forged.slalom"), options);
+  }
+
+  /// Expects that the verification of the forged bundle finds it, in a line with these words.
+  void expect_found(const std::string& words) const {
+    const ProgramResult verified = run("slalom-simulate verify forged.slalom --fraction 1 --quiet");
+    EXPECT_EQ(verified.status, 1) << verified.out << verified.err;
+    EXPECT_NE(verified.out.find(words), std::string::npos) << words << " in:\n"
+                                                           << verified.out << verified.err;
+  }
+};
+
+/// Sets a key of the campaign, in the text of the user and in that with all values.
+void set_in_campaign(Manifest& manifest, const std::string& line, const std::string& other) {
+  for (const char* key : {"campaign.ini", "campaign.effective"}) {
+    std::string& text = manifest[key];
+    const std::size_t at = text.find(line);
+    if (at != std::string::npos) text.replace(at, line.size(), other);
+  }
+}
+
+TEST_F(Bundles, AreVerifiedAsTheResultsAreThatTheyWereMadeOf) {
+  const ProgramResult made = run("slalom-simulate bundle runs.results -o a.slalom");
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.out.rfind("a.slalom: 8 runs, 0.0 MB", 0), 0U) << made.out;
+  EXPECT_EQ(run("slalom-analyze dump a.slalom").out, run("slalom-analyze dump runs.results").out);
+  const ProgramResult verified = run("slalom-simulate verify a.slalom --fraction 1 --badge");
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_NE(verified.out.find(", generated again\n8 runs in 4 scenarios are identical\n"),
+            std::string::npos)
+      << verified.out;
+  const auto badge = nlohmann::json::parse(read("a.slalom.verified.json"));
+  EXPECT_EQ(badge["message"], "8 of 8 runs verified");
+  EXPECT_EQ(badge["color"], "brightgreen");
+  EXPECT_EQ(badge["file_hash"], Hasher().add(read("a.slalom")).hex());
+  EXPECT_NE(read("a.slalom.verified.svg").find(">8 of 8 runs verified</text>"), std::string::npos);
+  // One changed bit of the file: its frame has a checksum.
+  std::string damaged = read("a.slalom");
+  damaged[damaged.size() / 2] ^= 1;
+  write("b.slalom", damaged);
+  expect_failure("slalom-simulate verify b.slalom", 3, {"b.slalom: is damaged"});
+}
+
+TEST_F(Bundles, AreWrittenByACampaignAndTheSameForAnyNumberOfWorkers) {
+  write("small.ini", kSmallCampaign);
+  for (const std::string jobs : {"1", "2"})
+    ASSERT_EQ(run("slalom-evaluate small.ini -o out" + jobs + " -j " + jobs + " --bundle " + jobs +
+                  ".slalom --quiet")
+                  .status,
+              0);
+  EXPECT_EQ(read("1.slalom"), read("2.slalom"));
+  expect_failure("slalom-evaluate small.ini -o out --with-sources", 2, {"--bundle"});
+  expect_failure("slalom-evaluate small.ini -o out --bundle small.ini", 2,
+                 {"small.ini", "is also an input"});
+}
+
+TEST_F(Bundles, OfAPartOfACampaignAreRefused) {
+  write("small.ini", kSmallCampaign);
+  ASSERT_EQ(run("slalom-simulate run small.ini --shard 2/2 -o part.results --quiet").status, 0);
+  expect_failure("slalom-simulate bundle part.results -o a.slalom", 2,
+                 {"part.results: is shard 2/2 of its campaign", "whole campaign"});
+  expect_failure("slalom-simulate bundle small.ini -o a.slalom", 3, {"small.ini"});
+  ASSERT_EQ(run("slalom-simulate bundle runs.results -o a.slalom").status, 0);
+  expect_failure("slalom-simulate merge a.slalom -o all.results", 2,
+                 {"a.slalom: is a bundle", "result files"});
+}
+
+TEST_F(Bundles, HaveTheTrajectoriesOfFailuresThatOthersSolve) {
+  ASSERT_EQ(run("slalom-simulate bundle runs.results -o a.slalom").status, 0);
+  const ResultFile all = ResultFile::open(path("runs.results")),
+                   bundle = ResultFile::open(path("a.slalom"));
+  bundle.for_each_run([&](const RunRecord& run) {
+    bool failed = false;
+    for (const RunRecord& other : all.read_runs(run.scenario_hash))
+      failed = failed || other.outcome != "success";
+    // Fewer failures than three of each method.
+    EXPECT_EQ(bundle.read_trajectory(run).samples.size(),
+              failed ? all.read_trajectory(run).samples.size() : 0U)
+        << run.scenario_name;
+    EXPECT_EQ(bundle.read_references(run.scenario_hash).shortest->path.empty(), !failed);
+    EXPECT_EQ(bundle.read_references(run.scenario_hash).shortest->length,
+              all.read_references(run.scenario_hash).shortest->length);
+  });
+  const ProgramResult report = run("slalom-analyze report a.slalom -o report");
+  EXPECT_EQ(report.status, 0) << report.err;
+  EXPECT_EQ(report.err.find("damaged"), std::string::npos) << report.err;
+}
+
+TEST_F(Bundles, ForgedValuesAreFound) {
+  forge({[](Manifest&) {},
+         [](RunRecord& run) {
+           if (run.method == "nd") run.metrics["safety"].value = Value::of(1);
+           return true;
+         }});
+  expect_found("/nd/0: /metrics/safety/value was 1.0 and is ");
+  forge({[](Manifest&) {},
+         [](RunRecord& run) {
+           if (run.method == "gap") run.outcome = "stuck";
+           return true;
+         }});
+  expect_found("/gap/0: /");
+  forge({[](Manifest&) {}, [](RunRecord& run) {  // swapped names
+           run.method = run.method == "gap" ? "nd" : "gap";
+           return true;
+         }});
+  expect_found("/nd/0: /");
+  forge({[](Manifest&) {},
+         [](RunRecord& run) {
+           run.seed += 1;
+           return true;
+         }});
+  expect_found("/seed was ");
+}
+
+TEST_F(Bundles, MissingRunsAndScenariosAreFound) {
+  bool left_out = false;
+  forge({[](Manifest&) {}, [&](RunRecord&) { return std::exchange(left_out, true); }});
+  expect_found("the file lacks 1 of 8 runs of its campaign, run ");
+  const auto without_first = [](std::size_t number) { return number > 0; };
+  const auto all = [](RunRecord&) { return true; };
+  forge({[](Manifest&) {}, all, without_first});
+  expect_found("the file lacks 2 of 8 runs of its campaign, those of a scenario first");
+  forge({[](Manifest& manifest) { manifest["scenarios.count"] = "3"; }, all, without_first});
+  expect_found("the file has 3 scenarios, the campaign generates 4");
+  forge({[](Manifest& manifest) {
+    set_in_campaign(manifest, "gap, nd", "gap");
+    set_in_campaign(manifest, "nd, gap", "gap");
+  }});
+  expect_found("which is not of its campaign");
+}
+
+TEST_F(Bundles, ForgedStatementsAreFound) {
+  // The scenarios of another seed.
+  forge({[](Manifest& manifest) {
+    set_in_campaign(manifest, "seed = 5", "seed = 6");
+    manifest["seed"] = "6";
+  }});
+  expect_found("4 scenarios of 4 are not those that the campaign generates");
+  forge({[](Manifest& manifest) { manifest["seed"] = "7"; }});
+  expect_found("its manifest states seed = 7, its campaign has 5");
+  // Limits that the runs did not have.
+  forge({[](Manifest& manifest) {
+    manifest["campaign.ini"] += "\n[robot]\nmax_v = 2\n";
+    set_in_campaign(manifest, "max_v = 0.8", "max_v = 2");
+  }});
+  expect_found("/gap/0: /");
+  forge(
+      {[](Manifest& manifest) { set_in_campaign(manifest, "max_accel_v = ", "max_accel_v = 1"); }});
+  expect_found("its manifest states robot.max_accel_v = 1");
+  forge({[](Manifest& manifest) { manifest["methods.privileged"] = "nd"; }});
+  expect_found("its manifest states methods.privileged = nd, its campaign has ");
+}
+
+TEST_F(Bundles, CarryTheFilesOfTheirMethods) {
+  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
+                             folder_ / "mine.so");
+  write("small.ini", kSmallCampaign);
+  const std::string campaign = "small.ini --set method.gap.plugin=./mine.so --quiet ";
+  ASSERT_EQ(run("slalom-evaluate " + campaign + "-o out --bundle a.slalom --with-sources").status,
+            0);
+  const auto files = read_bundled_files(path("a.slalom"));
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_EQ(files[0].key, "method.gap.plugin");
+  EXPECT_EQ(files[0].content, read("mine.so"));
+  std::filesystem::remove(folder_ / "mine.so");
+  expect_failure("slalom-simulate verify a.slalom --quiet", 2,
+                 {"would execute", "plugin = ./mine.so", "--trust", "unpack"});
+  const ProgramResult verified =
+      run("slalom-simulate verify a.slalom --trust --fraction 1 --quiet");
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  // Unpacked, they are read and run again.
+  ASSERT_EQ(run("slalom-simulate unpack a.slalom -o there").status, 0);
+  EXPECT_EQ(read("there/method.gap/mine.so"), files[0].content);
+  const ProgramResult again =
+      run("slalom-simulate run there/campaign.ini --scenarios there/campaign.scenarios --quiet "
+          "-o again.results");
+  ASSERT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(run("slalom-analyze dump again.results").out, run("slalom-analyze dump a.slalom").out);
+}
+
+TEST_F(Bundles, WithAnotherFileOfAMethodAreRefused) {
+  const auto with = [&](const std::string& key, const std::string& hash) {
+    forge({[&](Manifest& manifest) { manifest[key + "_hash"] = Hasher().add(hash).hex(); }},
+          {{{key, "edited"}}});
+  };
+  with("method.gap.plugin", "original");
+  expect_failure("slalom-simulate verify forged.slalom --trust", 3,
+                 {"method.gap.plugin", "is not the file whose hash the manifest names"});
+  for (const std::string name : {"../evil.py", "/tmp/evil.py", "a/../../evil.py"}) {
+    with("method.gap.module/" + name, "edited");
+    expect_failure("slalom-simulate unpack forged.slalom -o there", 3,
+                   {"forged.slalom", "outside of its folder"});
+    with("method...plugin/" + name, "edited");
+    expect_failure("slalom-simulate unpack forged.slalom -o there", 3,
+                   {"forged.slalom", "outside of its folder"});
+  }
+}
+
+}  // namespace
+}  // namespace slalom
