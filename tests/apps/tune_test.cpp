@@ -138,6 +138,8 @@ TEST_F(Tune, TunesKeysOfTheConfigurationOfAnMrptClass) {
   EXPECT_NE(read("out/tuned.ini").find("config_set = CHolonomicND.TOO_CLOSE_OBSTACLE=0."),
             std::string::npos);
   EXPECT_EQ(run("slalom-certify verify out/tuned.json --trust --quiet").status, 0);
+  expect_failure(tune + "--set tune.CHolonomicND.TOO_CLOSE_OBSTACLE=0.2,0.4 -o range", 2,
+                 {"--set tune.CHolonomicND.TOO_CLOSE_OBSTACLE: invalid default 0.15"});
   const std::string set = "--set 'method.nd.config_set=CHolonomicND.TOO_CLOSE_OBSTACLE=0.2' ";
   ASSERT_EQ(run(tune + set + "-o other").status, 0);
   EXPECT_EQ(answer("other").at("default").at("CHolonomicND.TOO_CLOSE_OBSTACLE"), "0.2");
@@ -176,6 +178,21 @@ TEST_F(Tune, KeepsTheDefaultWhereNoOptionMatters) {
   EXPECT_EQ(found.at("recommendation"), Json({{"b", "3"}}));
   expect_failure(null_ + "--set method.planted.a=0.7 --require -o out2", 1,
                  {"--require: ", "not shown"});
+}
+
+TEST_F(Tune, AValueThatTheMethodRefusesIsToldBeforeTheSearch) {
+  const std::string base = "slalom-tune my.ini --quiet -o out --method ";
+  // The range of the option is [0.1, pi].
+  expect_failure(
+      base + "go --set method.go.turn_in_place=1 --set tune.turn_in_place=0.2,4", 2,
+      {"--set tune.turn_in_place = 0.2, 4: go refuses 4: ", "turn_in_place: '4' is not valid"});
+  write("planted.py", std::string(kPlanted) +
+                          "    def __init__(self, robot, options):\n"
+                          "        if options.b < 2: raise ValueError('b is too small')\n");
+  expect_failure(base + "planted", 2,
+                 {"[method.planted] b = 1, 9: planted refuses 1: ", "b is too small"});
+  expect_failure(base + "planted --set method.planted.b=3 --set 'tune.b=3 | 1 | 4'", 2,
+                 {"--set tune.b = 3 | 1 | 4: planted refuses 1: ", "b is too small"});
 }
 
 TEST_F(Tune, RefusesSearchesThatCannotBegin) {

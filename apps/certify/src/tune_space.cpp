@@ -67,6 +67,39 @@ void set_default(SpaceParameter& parameter, const std::vector<TunableParameter>&
           (parameter.name.find('.') != std::string::npos ? ", in config or config_set" : ""));
 }
 
+/// The ends of a range, or the choices.
+std::vector<double> ends_of(const SpaceParameter& parameter) {
+  if (parameter.choices.empty()) return {parameter.low, parameter.high};
+  std::vector<double> indices;
+  for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+    indices.push_back(static_cast<double>(i));
+  return indices;
+}
+
+/// Builds the method with each of these values: a search would take those that it refuses for
+/// failures.
+void require_accepted_ends(const MethodCampaign& campaign, const ParameterSpace& space,
+                           const OptionLocation& where) {
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    const SpaceParameter& parameter = space.parameters()[i];
+    for (const double value : ends_of(parameter)) {
+      Configuration configuration = space.defaults();
+      configuration[i] = value;
+      try {
+        tunable_parameters(campaign.configure(options_of(space, configuration)), campaign.options);
+      } catch (const Error& refusal) {
+        if (refusal.kind() != ErrorKind::Usage) throw;
+        const std::string range = parameter.choices.empty() ? format_number(parameter.low) + ", " +
+                                                                  format_number(parameter.high)
+                                                            : join(parameter.choices, " | ");
+        throw usage_error(
+            where(parameter.name) + " = " + range,
+            campaign.method.name + " refuses " + space.text(i, value) + ": " + refusal.what());
+      }
+    }
+  }
+}
+
 }  // namespace
 
 ParameterSpace read_space(const MethodCampaign& campaign) {
@@ -90,11 +123,13 @@ ParameterSpace read_space(const MethodCampaign& campaign) {
   if (parameters.empty())
     throw usage_error(campaign.method.where, "the method declares no ranges of its parameters",
                       "[tune] with OPTION = " + std::string(kExpected));
-  ParameterSpace space(std::move(parameters), [&](const std::string& name) {
+  const OptionLocation where = [&](const std::string& name) {
     return ini.get(kSection, name) ? ini.where(kSection, name) : campaign.method.where + " " + name;
-  });
+  };
+  ParameterSpace space(std::move(parameters), where);
   // An option that nobody reads is an error before the first run.
   tunable_parameters(campaign.configure(options_of(space, space.defaults())), campaign.options);
+  require_accepted_ends(campaign, space, where);
   return space;
 }
 

@@ -83,8 +83,9 @@ void IniFile::override_key(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos && assignment.find('.') != std::string::npos)
     throw usage_error("--set " + assignment, "no value", assignment + "=VALUE");
-  const std::size_t dot =
-      equals == std::string::npos ? equals : assignment.substr(0, equals).rfind('.');
+  // Keys of [tune] have dots themselves: SECTION.KEY of a configuration.
+  const std::string name = equals == std::string::npos ? "" : assignment.substr(0, equals);
+  const std::size_t dot = starts_with(name, "tune.") ? name.find('.') : name.rfind('.');
   if (dot == std::string::npos || dot == 0 || dot + 1 == equals)
     throw usage_error("--set " + assignment, "not an assignment", "SECTION.KEY=VALUE");
   expect_utf8(assignment, "--set");

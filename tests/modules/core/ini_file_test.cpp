@@ -100,6 +100,17 @@ TEST(IniFile, OverridesReplaceOrAddAKey) {
                            [&] { ini.override_key("radius"); }));
 }
 
+TEST(IniFile, AnOverrideOfTuneMayHaveAKeyWithDots) {
+  IniFile ini = IniFile::from_text("[tune]\nCHolonomicND.X = 0, 1\n");
+  ini.override_key("tune.CHolonomicND.X=0,2");
+  ini.override_key("tune.margin=0,3");
+  EXPECT_EQ(ini.get("tune", "CHolonomicND.X"), "0,2");
+  EXPECT_EQ(ini.get("tune", "margin"), "0,3");
+  EXPECT_EQ(ini.keys("tune").size(), 2U);
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set tune.=1: ", {"SECTION.KEY=VALUE"},
+                           [&] { ini.override_key("tune.=1"); }));
+}
+
 TEST(IniFile, AnOverrideWithoutAValueIsRefusedWithTheAssignment) {
   IniFile ini = IniFile::from_text("");
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set robot.radius: no value",

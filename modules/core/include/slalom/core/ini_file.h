@@ -15,8 +15,8 @@ class IniFile {
   static IniFile load(const std::string& path);
   static IniFile from_text(const std::string& text, const std::string& name = "<text>");
 
-  /// Applies "SECTION.KEY=VALUE" (the last dot before '=' separates section and key). Throws Error
-  /// (Usage) when the argument is not of that form.
+  /// Applies "SECTION.KEY=VALUE" (the last dot before '=' separates section and key; of [tune] the
+  /// first one). Throws Error (Usage) when the argument is not of that form.
   void override_key(const std::string& assignment);
 
   std::vector<std::string> sections() const;                        ///< in file order
