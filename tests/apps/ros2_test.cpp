@@ -68,6 +68,27 @@ TEST_F(Ros2ProgramTest, ACampaignHasTheSameResultsForAnyNumberOfWorkersAndBothMo
   EXPECT_EQ(running_nodes(), 0);
 }
 
+TEST_F(Ros2ProgramTest, ParametersOfNodesAreTuned) {
+  write("node.ini",
+        "[campaign]\nmethods = node\n[scenarios]\ngenerator = passage\n"
+        "[simulation]\nstuck_time = 1\n" +
+            section("node", "", "parameter_set = method.count=3; method.speed=0\n") +
+            "[tune]\nmethod.speed = 0, 1\n");
+  const std::string tune = "slalom-tune node.ini --quiet --method node ";
+  const ProgramResult result = run(tune + "--runs 300 --sealed 200 -o out");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json answer = Json::parse(read("out/tuned.json")).at("answer");
+  EXPECT_EQ(answer.at("default").at("method.speed"), "0.0") << "a double, also in a file of ROS";
+  // A robot that stands still never succeeds; this node passes some doors in front of it.
+  EXPECT_GT(std::stod(answer.at("winner").at("method.speed").get<std::string>()), 0);
+  EXPECT_NE(read("out/tuned.ini").find("parameter_set = method.count=3; method.speed=0."),
+            std::string::npos);
+  expect_failure(tune + "--set tune.method.speed=0,2 -o other", 2,
+                 {"--set tune.method.speed = 0, 2: node refuses 2: ", "parameter_set",
+                  "the node /method refuses speed = 2.0: it is beyond 1"});
+  EXPECT_EQ(running_nodes(), 0);
+}
+
 TEST_F(Ros2ProgramTest, ACampaignGoesOnAfterNodesThatAreKilled) {
   write_campaign("node", section("node", "killed"));
   const auto all = runs("2");

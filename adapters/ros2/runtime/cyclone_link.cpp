@@ -5,6 +5,7 @@
 #include "ros2_messages.h"
 
 #include <slalom/core/math.h>
+#include <slalom/core/text.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include <dds/dds.h>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -174,16 +176,37 @@ Entity make_writer(dds_entity_t participant, const std::string& topic,
   return {topic, dds_create_writer(participant, handle, qos.get(), nullptr)};
 }
 
-/// A question to a node, which it answers after the callbacks of the data that it received before:
-/// services and subscriptions are in one callback group by default.
-class Barrier {
+/// A service of the parameters of a node. The bodies of its messages have the same encoding in both
+/// middlewares.
+struct Service {
+  std::string name, type;
+  const dds_topic_descriptor_t *cyclone_request, *cyclone_reply, *fast_request, *fast_reply;
+};
+const Service kGetTypes = {"get_parameter_types",          "GetParameterTypes",
+                           &slalom_ros2_CycloneNames_desc, &slalom_ros2_CycloneTypes_desc,
+                           &slalom_ros2_NameList_desc,     &slalom_ros2_TypeList_desc};
+const Service kGetValues = {"get_parameters",
+                            "GetParameters",
+                            &slalom_ros2_CycloneNames_desc,
+                            &slalom_ros2_CycloneValues_desc,
+                            &slalom_ros2_NameList_desc,
+                            &slalom_ros2_ValueList_desc};
+const Service kSetValues = {"set_parameters",
+                            "SetParameters",
+                            &slalom_ros2_CycloneParameters_desc,
+                            &slalom_ros2_CycloneResults_desc,
+                            &slalom_ros2_ParameterList_desc,
+                            &slalom_ros2_ResultList_desc};
+
+/// A client of a service of a node, with one question at a time.
+class Client {
  public:
-  Barrier(dds_entity_t participant, std::string node)
-      : participant_(participant), node_(std::move(node)) {}
+  Client(dds_entity_t participant, const std::string& node, const Service& service)
+      : participant_(participant), topic_(node + "/" + service.name), service_(service) {}
 
   /// Whether the node offers its service and has found this client.
   bool is_matched(const Publications& publications) {
-    const auto replies = publications.on(topic("rr", "Reply"));
+    const auto replies = publications.on("rr" + topic_ + "Reply");
     if (replies.empty()) return false;
     if (request_ <= 0) connect(replies.front().fast_dds);
     dds_publication_matched_status_t readers;
@@ -193,70 +216,209 @@ class Barrier {
     return readers.current_count > 0 && writers.current_count > 0;
   }
 
-  bool pass(double seconds) {
-    if (!asked_) ask();
-    if (take_reply()) return true;
+  bool asked() const { return asked_; }
+
+  /// Asks by a message of Cyclone, with its body.
+  template <typename Message>
+  void ask(Message message) {
+    message.client = kClient;
+    message.number = ++number_;
+    check("question",
+          dds_write(request_, fast_dds_ ? static_cast<void*>(&message.body) : &message));
+    asked_ = true;
+  }
+
+  /// Passes the body of the reply on, after waiting up to this time (s); false if there is none.
+  /// Replies to other clients have other numbers. Those of Fast DDS have none here.
+  template <typename Message, typename Function>
+  bool await_reply(double seconds, Function function) {
+    if (take_reply<Message>(function)) return true;
     dds_attach_t hit = 0;
     dds_waitset_wait(waitset_, &hit, 1, static_cast<dds_duration_t>(seconds * 1e9));
-    return take_reply();
+    return take_reply<Message>(function);
   }
 
  private:
   static constexpr std::uint64_t kClient = 0x51a10a;
 
-  std::string topic(const std::string& prefix, const std::string& suffix) const {
-    return prefix + node_ + "/get_parameter_types" + suffix;
-  }
-
   /// The types have the names of ROS 2, not those of this program.
   void connect(bool fast_dds) {
     fast_dds_ = fast_dds;
-    request_type_.emplace(fast_dds ? slalom_ros2_FastRequest_desc
-                                   : slalom_ros2_CycloneRequest_desc);
-    reply_type_.emplace(fast_dds ? slalom_ros2_FastReply_desc : slalom_ros2_CycloneReply_desc);
-    request_type_->m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Request_";
-    reply_type_->m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Response_";
+    request_type_.emplace(fast_dds ? *service_.fast_request : *service_.cyclone_request);
+    reply_type_.emplace(fast_dds ? *service_.fast_reply : *service_.cyclone_reply);
+    request_name_ = "rcl_interfaces::srv::dds_::" + service_.type + "_Request_";
+    reply_name_ = "rcl_interfaces::srv::dds_::" + service_.type + "_Response_";
+    request_type_->m_typename = request_name_.c_str();
+    reply_type_->m_typename = reply_name_.c_str();
     const Qos qos = make_qos(true, false, nullptr);
-    reply_ = make_reader(participant_, topic("rr", "Reply"), &*reply_type_, qos);
-    request_ = make_writer(participant_, topic("rq", "Request"), &*request_type_, qos);
+    reply_ = make_reader(participant_, "rr" + topic_ + "Reply", &*reply_type_, qos);
+    request_ = make_writer(participant_, "rq" + topic_ + "Request", &*request_type_, qos);
     waitset_ = Entity("waitset", dds_create_waitset(participant_));
     dds_waitset_attach(waitset_, reply_, 0);
   }
 
-  void ask() {
-    std::array<char, 13> name = {"use_sim_time"};
-    std::array<char*, 1> names = {name.data()};
-    slalom_ros2_CycloneRequest cyclone{};
-    slalom_ros2_FastRequest fast{};
-    cyclone.client = kClient;
-    cyclone.number = ++number_;
-    cyclone.names._buffer = fast.names._buffer = names.data();
-    cyclone.names._length = cyclone.names._maximum = 1;
-    fast.names._length = fast.names._maximum = 1;
-    check("barrier", dds_write(request_, fast_dds_ ? static_cast<void*>(&fast) : &cyclone));
-    asked_ = true;
-  }
-
-  /// Replies to other clients have other numbers. Those of Fast DDS have none here: there is one
-  /// question at a time.
-  bool take_reply() {
+  template <typename Message, typename Function>
+  bool take_reply(const Function& function) {
+    using Body = decltype(Message::body);
     bool found = false;
-    take_all<slalom_ros2_CycloneReply>(
-        reply_, [&](const slalom_ros2_CycloneReply& reply, const dds_sample_info_t& info) {
-          found = info.valid_data &&
-                  (fast_dds_ || (reply.client == kClient && reply.number == number_));
-          return !found;
-        });
+    take_all<Message>(reply_, [&](const Message& reply, const dds_sample_info_t& info) {
+      found =
+          info.valid_data && (fast_dds_ || (reply.client == kClient && reply.number == number_));
+      if (found) function(fast_dds_ ? reinterpret_cast<const Body&>(reply) : reply.body);
+      return !found;
+    });
     if (found) asked_ = false;
     return found;
   }
 
   dds_entity_t participant_;
-  std::string node_;
+  std::string topic_;
+  Service service_;
   bool fast_dds_ = false, asked_ = false;
   std::int64_t number_ = 0;
   std::optional<dds_topic_descriptor_t> request_type_, reply_type_;
+  std::string request_name_, reply_name_;
   Entity request_, reply_, waitset_;
+};
+
+/// A question with one name.
+class NameQuestion {
+ public:
+  explicit NameQuestion(std::string name) : name_(std::move(name)), names_{name_.data()} {}
+
+  slalom_ros2_CycloneNames message() {
+    slalom_ros2_CycloneNames message{};
+    message.body.names._buffer = names_.data();
+    message.body.names._length = message.body.names._maximum = 1;
+    return message;
+  }
+
+ private:
+  std::string name_;
+  std::array<char*, 1> names_;
+};
+
+/// A question to a node, which it answers after the callbacks of the data that it received before:
+/// services and subscriptions are in one callback group by default.
+class Barrier {
+ public:
+  Barrier(dds_entity_t participant, const std::string& node)
+      : client_(participant, node, kGetTypes) {}
+
+  bool is_matched(const Publications& publications) { return client_.is_matched(publications); }
+
+  bool pass(double seconds) {
+    if (!client_.asked()) client_.ask(NameQuestion("use_sim_time").message());
+    return client_.await_reply<slalom_ros2_CycloneTypes>(seconds, [](const auto&) {});
+  }
+
+ private:
+  Client client_;
+};
+
+/// The values of parameters by their type (rcl_interfaces/msg/ParameterType).
+enum : std::uint8_t { kNotSet = 0, kBool = 1, kInteger = 2, kDouble = 3, kString = 4 };
+constexpr std::array kTypeNames = {"nothing", "a bool", "an integer", "a double", "a string"};
+
+std::string describe(const NodeParameter& parameter) {
+  return "parameter " + parameter.name + " of the node " + parameter.node;
+}
+
+bool has_value(const slalom_ros2_ParameterValue& value, const std::string& text) {
+  long long integer = 0;
+  double number = 0;
+  if (value.type == kBool) return text == (value.bool_value ? "true" : "false");
+  if (value.type == kInteger) return parse_integer(text, integer) && integer == value.integer_value;
+  if (value.type == kDouble) return parse_number(text, number) && number == value.double_value;
+  return value.type == kString && text == value.string_value;
+}
+
+/// The value of a parameter of this type, which refers to its text.
+slalom_ros2_ParameterValue value_of(const NodeParameter& parameter, std::uint8_t type) {
+  if (type > kString)
+    throw NodeParameterError("the " + describe(parameter) +
+                             " is an array; expected a bool, an integer, a double or a string");
+  slalom_ros2_ParameterValue value{};
+  value.type = type;
+  value.bool_value = parameter.value == "true";
+  long long integer = 0;
+  parse_integer(parameter.value, integer);
+  value.integer_value = integer;
+  parse_number(parameter.value, value.double_value);
+  value.string_value = const_cast<char*>(parameter.value.c_str());  // written, never changed
+  if (!has_value(value, parameter.value))
+    throw NodeParameterError("the " + describe(parameter) + " is " + kTypeNames.at(type) +
+                             ", not '" + parameter.value + "'");
+  return value;
+}
+
+/// Sets parameters of a node, one after another.
+class NodeParameters {
+ public:
+  NodeParameters(dds_entity_t participant, const std::string& node)
+      : get_(participant, node, kGetValues), set_(participant, node, kSetValues) {}
+
+  bool is_matched(const Publications& publications) {
+    const bool can_get = get_.is_matched(publications), can_set = set_.is_matched(publications);
+    return can_get && can_set;
+  }
+
+  /// See RosLink::set_parameter(). Asks one question at most.
+  std::string apply(const NodeParameter& parameter, double seconds) {
+    return type_ == kNotSet ? read(parameter, seconds) : set(parameter, seconds);
+  }
+
+ private:
+  std::string read(const NodeParameter& parameter, double seconds) {
+    std::uint8_t type = kNotSet;
+    bool is_equal = false;
+    if (!get_.asked()) get_.ask(NameQuestion(parameter.name).message());
+    const auto receive = [&](const slalom_ros2_ValueList& reply) {
+      if (reply.values._length == 0) return;
+      type = reply.values._buffer[0].type;
+      is_equal = has_value(reply.values._buffer[0], parameter.value);
+    };
+    if (!get_.await_reply<slalom_ros2_CycloneValues>(seconds, receive))
+      return "reply about the " + describe(parameter);
+    if (type == kNotSet) return describe(parameter);
+    const bool was_set = std::exchange(was_set_, false);
+    if (is_equal) return "";
+    if (was_set)
+      throw NodeParameterError("the " + describe(parameter) + " does not keep its value");
+    value_of(parameter, type);
+    type_ = type;
+    return "reply about the " + describe(parameter);
+  }
+
+  std::string set(const NodeParameter& parameter, double seconds) {
+    if (!set_.asked()) {
+      slalom_ros2_Parameter one{const_cast<char*>(parameter.name.c_str()),
+                                value_of(parameter, type_)};
+      slalom_ros2_CycloneParameters message{};
+      message.body.parameters._buffer = &one;
+      message.body.parameters._length = message.body.parameters._maximum = 1;
+      set_.ask(message);
+    }
+    std::string reason = "no result";
+    bool is_done = false;
+    const auto receive = [&](const slalom_ros2_ResultList& reply) {
+      if (reply.results._length == 0) return;
+      is_done = reply.results._buffer[0].successful;
+      reason = reply.results._buffer[0].reason;
+    };
+    if (set_.await_reply<slalom_ros2_CycloneResults>(seconds, receive)) {
+      type_ = kNotSet;
+      was_set_ = is_done;
+      if (!is_done)
+        throw NodeParameterError("the node " + parameter.node + " refuses " + parameter.name +
+                                 " = " + parameter.value + ": " + reason);
+    }
+    return "reply about the " + describe(parameter);
+  }
+
+  Client get_, set_;
+  std::uint8_t type_ = kNotSet;  ///< of the parameter that is to be set
+  bool was_set_ = false;         ///< and is to be read again
 };
 
 builtin_interfaces_msg_dds__Time_ to_ros(RosTime time) {
@@ -282,6 +444,7 @@ class CycloneLink : public RosLink {
   CycloneLink(const Ros2Options& options, int domain, const SensorModel& sensor)
       : options_(options),
         nodes_(barrier_nodes(options)),
+        parameters_(node_parameters(options)),
         command_topic_(topic(options.command)),
         lasers_(sensor.all_lasers()),
         domain_("domain", dds_create_domain(static_cast<dds_domainid_t>(domain), kLocalHost)),
@@ -297,6 +460,8 @@ class CycloneLink : public RosLink {
     for (const LaserModel& laser : lasers_) scans_.push_back(writer(scan_topic(laser), kScan));
     if (options.map == Ros2Map::Known) map_ = writer(options.map_topic, kGrid, true);
     for (const std::string& node : nodes_) barriers_.try_emplace(node, participant_, node);
+    for (const NodeParameter& one : parameters_)
+      node_parameters_.try_emplace(one.node, participant_, one.node);
     dds_waitset_attach(waitset_, publications_.reader(), 0);
     dds_set_status_mask(publications_.reader(), DDS_DATA_AVAILABLE_STATUS);
     send_static_transforms();
@@ -316,10 +481,18 @@ class CycloneLink : public RosLink {
     dds_subscription_matched_status_t writers = {};
     if (command_ > 0) dds_get_subscription_matched_status(command_, &writers);
     if (writers.current_count == 0) missing.push_back("publisher of " + name(options_.command));
+    std::set<std::string> nodes;
     for (auto& [node, barrier] : barriers_)
-      if (!barrier.is_matched(publications_))
-        missing.push_back("node " + node + " with parameters");
+      if (!barrier.is_matched(publications_)) nodes.insert(node);
+    for (auto& [node, parameters] : node_parameters_)
+      if (!parameters.is_matched(publications_)) nodes.insert(node);
+    for (const std::string& node : nodes) missing.push_back("node " + node + " with parameters");
     return missing;
+  }
+
+  std::string set_parameter(std::size_t parameter, double seconds) override {
+    const NodeParameter& one = parameters_[parameter];
+    return node_parameters_.at(one.node).apply(one, seconds);
   }
 
   int publishers() override {
@@ -533,6 +706,7 @@ class CycloneLink : public RosLink {
 
   Ros2Options options_;
   std::vector<std::string> nodes_;  ///< of the barrier, in its order
+  std::vector<NodeParameter> parameters_;
   std::string command_topic_;
   std::vector<LaserModel> lasers_;
   Entity domain_, participant_, waitset_;
@@ -542,6 +716,7 @@ class CycloneLink : public RosLink {
   Entity command_;
   bool is_stamped_ = false, is_reliable_ = true;
   std::map<std::string, Barrier> barriers_;  ///< by node: each reply is to one question
+  std::map<std::string, NodeParameters> node_parameters_;
   std::vector<float> ranges_;
 };
 

@@ -20,6 +20,17 @@ struct RosCommand {
   std::optional<RosTime> stamp;  ///< of a TwistStamped
 };
 
+/// A parameter of a node, with its value as text.
+struct NodeParameter {
+  std::string node, name, value;
+};
+
+/// A parameter is refused, or not there.
+class NodeParameterError : public MethodError {
+ public:
+  using MethodError::MethodError;
+};
+
 /// The simulator's end of the topics of one DDS domain. Created by a library that is loaded when it
 /// is needed: with DDS every program would start later.
 class RosLink {
@@ -31,6 +42,11 @@ class RosLink {
   virtual std::vector<std::string> missing() = 0;
   /// The publishers of commands that are there.
   virtual int publishers() = 0;
+
+  /// Reads the parameter with this index and, if it has another value, sets it and reads it again,
+  /// waiting up to this time (s). Returns what is still missing, e.g. "parameter speed of the node
+  /// /method", or "". Throws NodeParameterError, with the node's reason, if the node refuses it.
+  virtual std::string set_parameter(std::size_t parameter, double seconds) = 0;
 
   /// Poses in the frame of odometry, which is also that of the map.
   virtual void send_goal(const mrpt::math::TPose2D& goal, RosTime stamp) = 0;
@@ -54,6 +70,11 @@ class RosLink {
 std::string ros_name(const Ros2Options& options, const std::string& name);
 /// The absolute names of the nodes of the barrier.
 std::vector<std::string> barrier_nodes(const Ros2Options& options);
+/// The parameters of parameter_set, with absolute names of nodes. Throws std::invalid_argument with
+/// the assignment that is malformed.
+std::vector<NodeParameter> node_parameters(const Ros2Options& options);
+/// The same as a file of parameters of ROS 2 (YAML).
+std::string parameter_file_text(const std::vector<NodeParameter>& parameters);
 
 using RosLinkFactory =
     std::function<std::unique_ptr<RosLink>(const Ros2Options&, int domain, const SensorModel&)>;

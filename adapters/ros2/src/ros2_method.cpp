@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <unistd.h>
 
 namespace slalom {
 namespace {
@@ -45,6 +48,27 @@ RosTime time_of_running_nodes() {
   return seconds % 2'000'000 * 1000 * kSecond;
 }
 
+/// A temporary file.
+class ParameterFile {
+ public:
+  explicit ParameterFile(const std::string& text)
+      : path_((std::filesystem::temp_directory_path() / "slalom_parameters_XXXXXX").string()) {
+    const int file = mkstemp(path_.data());
+    const bool written =
+        file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    if (file >= 0) close(file);
+    if (!written) throw job_error(path_, "cannot be written", "a folder for temporary files");
+  }
+  ~ParameterFile() { unlink(path_.c_str()); }
+  ParameterFile(const ParameterFile&) = delete;
+  ParameterFile& operator=(const ParameterFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 /// The simulator's side of the nodes.
 class Ros2Method : public Method {
  public:
@@ -54,6 +78,7 @@ class Ros2Method : public Method {
              int domain, WallClock clock, MakeLink make_link)
       : options_(options),
         barrier_(barrier_nodes(options)),
+        parameters_(node_parameters(options)),
         robot_(robot),
         scan_latency_(sensor.latency),
         environment_({{"ROS_DOMAIN_ID", std::to_string(domain)},
@@ -64,6 +89,10 @@ class Ros2Method : public Method {
         make_link_(std::move(make_link)),
         last_(options.launch.empty() ? time_of_running_nodes() : 0) {
     if (!options.rmw.empty()) environment_.emplace_back("RMW_IMPLEMENTATION", options.rmw);
+    if (!parameters_.empty() && !options.launch.empty()) {
+      parameter_file_.emplace(parameter_file_text(parameters_));
+      environment_.emplace_back("SLALOM_PARAMETERS", parameter_file_->path());
+    }
   }
 
   bool uses_map() const override { return options_.map == Ros2Map::Known; }
@@ -74,13 +103,12 @@ class Ros2Method : public Method {
     if (!options_.launch.empty() && !process_)
       process_ = std::make_unique<ExternalProcess>(options_.launch, environment_);
     const double until = clock_() + options_.startup_time;
-    for (std::vector<std::string> missing; !(missing = link_->missing()).empty();) {
-      check_health();
-      if (clock_() >= until)
-        fail<MethodTimeout>("there is no " + join(missing, ", no ") + " after " +
-                            format_number(options_.startup_time) + " s of wall-clock time");
-      link_->wait(0.01);
-    }
+    for (std::vector<std::string> missing; !(missing = link_->missing()).empty();)
+      wait_for<MethodTimeout>(join(missing, ", no "), until);
+    // Nodes may declare their parameters some time after they have appeared.
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+      for (std::string missing; !(missing = link_->set_parameter(i, kHealthPeriod)).empty();)
+        wait_for<NodeParameterError>(missing, until);
     connected_ = true;
     answered_ = counted_ = false;
   }
@@ -110,6 +138,16 @@ class Ros2Method : public Method {
   std::map<std::string, double> run_figures() const override { return figures_; }
 
  private:
+  /// Waits a little for what is missing at the start.
+  template <typename Failure>
+  void wait_for(const std::string& missing, double until) {
+    check_health();
+    if (clock_() >= until)
+      fail<Failure>("there is no " + missing + " after " + format_number(options_.startup_time) +
+                    " s of wall-clock time");
+    link_->wait(0.01);
+  }
+
   /// Simulated time passes at the start pose in whole blocks of kRest, until the nodes have
   /// answered each observation of the last one: a node that has just appeared may have missed the
   /// first ones. Nodes that may be silent for a while, or publish at their own rate, have answered
@@ -309,6 +347,8 @@ class Ros2Method : public Method {
 
   Ros2Options options_;
   std::vector<std::string> barrier_;
+  std::vector<NodeParameter> parameters_;
+  std::optional<ParameterFile> parameter_file_;
   RobotModel robot_;
   double scan_latency_;  ///< s
   EnvironmentVariables environment_;
@@ -360,6 +400,14 @@ void check_names(const Ros2Options& o, const OptionLocation& where) {
       {"goal", o.goal},       {"map_topic", o.map_topic}, {"tf", o.tf}};
   if (!o.name_space.empty()) names.emplace_back("namespace", o.name_space);
   for (const std::string& node : split(o.barrier, ',')) names.emplace_back("barrier", node);
+  try {
+    for (const NodeParameter& one : node_parameters(o))
+      names.emplace_back("parameter_set", one.node);
+  } catch (const std::invalid_argument& malformed) {
+    throw usage_error(where("parameter_set"),
+                      std::string("malformed assignment '") + malformed.what() + "'",
+                      "NODE.NAME=VALUE; ...");
+  }
   for (const auto& [key, name] : names)
     if (!is_ros_name(name))
       throw usage_error(where(key), "invalid name '" + name + "'",
@@ -413,6 +461,8 @@ MethodFactory make_factory(const Ros2Options& options, const OptionLocation& whe
     if (options.launch.empty()) return method;
     try {
       method->connect();
+    } catch (const NodeParameterError& refusal) {
+      throw usage_error(where("parameter_set"), refusal.what());
     } catch (const std::runtime_error& failure) {
       throw usage_error(where("launch"), failure.what());
     }
@@ -438,6 +488,13 @@ MethodFactory read_ros2_method(const IniFile& ini, const std::string& section,
                                const WallClock& clock) {
   return make_factory(read_adapter_options<Ros2Options>(ini, section), location_in(ini, section),
                       clock);
+}
+
+std::optional<std::string> ros2_parameter_value(const IniFile& ini, const std::string& section,
+                                                const std::string& name) {
+  for (const std::string& one : split_nonempty(ini.get(section, "parameter_set").value_or(""), ';'))
+    if (trim(one.substr(0, one.find('='))) == name) return trim(one.substr(one.find('=') + 1));
+  return std::nullopt;
 }
 
 }  // namespace slalom

@@ -9,6 +9,8 @@ void Ros2Options::visit(OptionVisitor& v) {
   v.option("mode", mode, "simulated time waits for commands, or follows the wall clock");
   v.option("barrier", barrier,
            "lockstep: nodes that must have handled the data before time goes on, comma-separated");
+  v.option("parameter_set", parameter_set,
+           "NODE.NAME=VALUE; ... parameters of nodes, set before the first run");
   v.option("domain", domain, "-", "ROS_DOMAIN_ID; with launch the first one of the workers",
            Range::between(kFirstRosDomain, kLastRosDomain));
   v.option("rmw", rmw, "RMW_IMPLEMENTATION of the launched nodes; empty: as it is");

@@ -4,11 +4,15 @@
 #include <slalom/core/text.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/mrpt_nav/navigator_method.h>
+#include <slalom/ros2/ros2_method.h>
 
 namespace slalom {
 namespace {
 
-constexpr char kOverrides[] = "config_set";
+/// The key that has the options of a configuration: of an MRPT class, or of nodes of ROS 2.
+std::string overrides_key(const IniFile& ini, const std::string& section) {
+  return ini.get(section, "adapter").value_or("") == "ros2" ? "parameter_set" : "config_set";
+}
 
 bool is_of_configuration(const std::string& option) {
   return option.find('.') != std::string::npos;
@@ -23,8 +27,10 @@ std::optional<std::string> get_method_option(const IniFile& ini, const std::stri
   const std::string adapter = ini.get(section, "adapter").value_or("");
   if (adapter == "mrpt_navigator") return navigator_config_value(ini, section, option);
   if (adapter == "mrpt_holonomic") return holonomic_config_value(ini, section, option);
+  if (adapter == "ros2") return ros2_parameter_value(ini, section, option);
   throw usage_error(where, "is no option of [" + section + "]",
-                    "a key of it; SECTION.KEY is for mrpt_holonomic and mrpt_navigator");
+                    "a key of it; SECTION.KEY is for mrpt_holonomic and mrpt_navigator, NODE.NAME "
+                    "for ros2");
 }
 
 void set_method_option(IniFile& ini, const std::string& method, const std::string& option,
@@ -34,10 +40,11 @@ void set_method_option(IniFile& ini, const std::string& method, const std::strin
     ini.set(section, option, value, "");
     return;
   }
+  const std::string key = overrides_key(ini, section);
   std::string overrides;
-  for (const std::string& one : split_nonempty(ini.get(section, kOverrides).value_or(""), ';'))
+  for (const std::string& one : split_nonempty(ini.get(section, key).value_or(""), ';'))
     if (trim(one.substr(0, one.find('='))) != option) overrides += one + "; ";
-  ini.set(section, kOverrides, overrides + option + "=" + value, "");
+  ini.set(section, key, overrides + option + "=" + value, "");
 }
 
 }  // namespace slalom

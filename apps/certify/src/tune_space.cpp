@@ -61,10 +61,11 @@ void set_default(SpaceParameter& parameter, const std::vector<TunableParameter>&
       parameter.default_value = one.default_value;
       return;
     }
-  throw usage_error(
-      where, "its default is unknown",
-      parameter.name + " in [" + section + "]" +
-          (parameter.name.find('.') != std::string::npos ? ", in config or config_set" : ""));
+  throw usage_error(where, "its default is unknown",
+                    parameter.name + " in [" + section + "]" +
+                        (parameter.name.find('.') != std::string::npos
+                             ? ", in config, config_set or parameter_set"
+                             : ""));
 }
 
 /// The ends of a range, or the choices.
@@ -136,8 +137,15 @@ ParameterSpace read_space(const MethodCampaign& campaign) {
 std::map<std::string, std::string> options_of(const ParameterSpace& space,
                                               const Configuration& configuration) {
   std::map<std::string, std::string> options;
-  for (std::size_t i = 0; i < space.size(); ++i)
-    options[space.parameters()[i].name] = space.text(i, configuration[i]);
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    const SpaceParameter& parameter = space.parameters()[i];
+    std::string& text = options[parameter.name] = space.text(i, configuration[i]);
+    // A node refuses a file with an integer where its parameter is a double.
+    const bool is_real = parameter.choices.empty() && !parameter.integer;
+    if (is_real && parameter.name.find('.') != std::string::npos &&
+        text.find_first_of(".e") == std::string::npos)
+      text += ".0";
+  }
   return options;
 }
 

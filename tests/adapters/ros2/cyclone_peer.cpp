@@ -40,12 +40,12 @@ class Peer {
       transforms_path_ = path;
       transforms_ = reader("rt/tf_static", tf2_msgs_msg_dds__TFMessage__desc, true, true);
     }
-    dds_topic_descriptor_t question = slalom_ros2_CycloneRequest_desc;
-    dds_topic_descriptor_t reply = slalom_ros2_CycloneReply_desc;
-    question.m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Request_";
-    reply.m_typename = "rcl_interfaces::srv::dds_::GetParameterTypes_Response_";
-    question_ = reader("rq/method/get_parameter_typesRequest", question, true);
-    reply_ = writer("rr/method/get_parameter_typesReply", reply);
+    types_ = service("get_parameter_types", "GetParameterTypes", slalom_ros2_CycloneNames_desc,
+                     slalom_ros2_CycloneTypes_desc);
+    values_ = service("get_parameters", "GetParameters", slalom_ros2_CycloneNames_desc,
+                      slalom_ros2_CycloneValues_desc);
+    setting_ = service("set_parameters", "SetParameters", slalom_ros2_CycloneParameters_desc,
+                       slalom_ros2_CycloneResults_desc);
     command_ = writer("rt/cmd_vel", node_.fault() == "wrong_type"
                                         ? geometry_msgs_msg_dds__PoseStamped__desc
                                     : node_.stamped() ? geometry_msgs_msg_dds__TwistStamped__desc
@@ -70,20 +70,74 @@ class Peer {
                       m.angle_increment);
         if (node_.fault() == "two" && node_.has_fault_now() && second_ == 0) publish_twice();
       });
-      take_one<slalom_ros2_CycloneRequest>(question_, [this](const auto& m) {
+      take_one<slalom_ros2_CycloneNames>(types_.question, [this](const auto& m) {
         if (node_.fault() == "deaf" && node_.has_fault_now()) return;
         // The replies to two questions with one number could not be told apart.
         if (m.number <= last_question_) std::exit(4);
         last_question_ = m.number;
-        slalom_ros2_CycloneReply reply{};
-        reply.client = m.client;
-        reply.number = m.number;
-        dds_write(reply_, &reply);
+        const slalom_ros2_CycloneTypes reply{m.client, m.number, {}};
+        dds_write(types_.reply, &reply);
       });
+      take_one<slalom_ros2_CycloneNames>(values_.question, [this](const auto& m) { get(m); });
+      take_one<slalom_ros2_CycloneParameters>(setting_.question, [this](const auto& m) { set(m); });
     }
   }
 
  private:
+  struct Service {
+    dds_entity_t question = 0, reply = 0;
+  };
+
+  Service service(const std::string& name, const std::string& type, dds_topic_descriptor_t question,
+                  dds_topic_descriptor_t reply) const {
+    const std::string prefix = "rcl_interfaces::srv::dds_::" + type;
+    const std::string request_type = prefix + "_Request_", reply_type = prefix + "_Response_";
+    question.m_typename = request_type.c_str();
+    reply.m_typename = reply_type.c_str();
+    return {reader(("rq/method/" + name + "Request").c_str(), question, true),
+            writer(("rr/method/" + name + "Reply").c_str(), reply)};
+  }
+
+  /// Replies with values of several types; a name that is not there has none, as in rclpy.
+  void get(const slalom_ros2_CycloneNames& question) {
+    slalom_ros2_ParameterValue value{};
+    const std::string name = question.body.names._buffer[0];
+    if (name == "speed") {
+      value.type = 3;
+      value.double_value = node_.speed();
+    } else if (name == "count") {
+      value.type = 2;
+      value.integer_value = count_;
+    } else if (name == "on") {
+      value.type = 1;
+      value.bool_value = on_;
+    } else if (name == "label") {
+      value.type = 4;
+      value.string_value = label_.data();
+    } else if (name == "list") {
+      value.type = 8;
+    }
+    slalom_ros2_CycloneValues reply{question.client, question.number, {}};
+    reply.body.values._buffer = &value;
+    reply.body.values._length = reply.body.values._maximum = 1;
+    dds_write(values_.reply, &reply);
+  }
+
+  void set(const slalom_ros2_CycloneParameters& question) {
+    const slalom_ros2_Parameter& one = question.body.parameters._buffer[0];
+    const std::string name = one.name;
+    std::string reason;
+    if (name == "speed") reason = node_.set_speed(one.value.double_value);
+    if (name == "count") count_ = one.value.integer_value;
+    if (name == "on") on_ = one.value.bool_value;
+    if (name == "label") label_ = one.value.string_value;
+    slalom_ros2_Result result{reason.empty(), reason.data()};
+    slalom_ros2_CycloneResults reply{question.client, question.number, {}};
+    reply.body.results._buffer = &result;
+    reply.body.results._length = reply.body.results._maximum = 1;
+    dds_write(setting_.reply, &reply);
+  }
+
   dds_entity_t topic(const char* name, const dds_topic_descriptor_t& type) const {
     return dds_create_topic(participant_, &type, name, nullptr, nullptr);
   }
@@ -170,9 +224,12 @@ class Peer {
   std::int64_t last_question_ = 0;
   std::string transforms_path_;
   dds_entity_t transforms_ = 0;
-  dds_entity_t participant_ = 0, waitset_ = 0, clock_ = 0, goal_ = 0, odometry_ = 0, scan_ = 0,
-               question_ = 0;
-  dds_entity_t reply_ = 0, command_ = 0, second_ = 0;
+  dds_entity_t participant_ = 0, waitset_ = 0, clock_ = 0, goal_ = 0, odometry_ = 0, scan_ = 0;
+  dds_entity_t command_ = 0, second_ = 0;
+  Service types_, values_, setting_;
+  std::int64_t count_ = 2;
+  bool on_ = false;
+  std::string label_ = "plain";
 };
 
 }  // namespace

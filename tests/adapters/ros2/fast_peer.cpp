@@ -83,6 +83,51 @@ struct Reply {
   void code(Cdr& cdr) { cdr << types; }
 };
 
+/// The value of a parameter: a double, as the others of its node.
+struct Value {
+  std::uint8_t type = 3;
+  double number = 0;
+  template <typename Field>
+  static void code(Cdr& cdr, Field& field, bool writes) {
+    if (writes)
+      cdr << field;
+    else
+      cdr >> field;
+  }
+  void code(Cdr& cdr, bool writes) {
+    bool on = false;
+    std::int64_t integer = 0;
+    std::string text;
+    std::uint32_t none = 0;  // the sizes of the arrays
+    code(cdr, type, writes);
+    code(cdr, on, writes);
+    code(cdr, integer, writes);
+    code(cdr, number, writes);
+    code(cdr, text, writes);
+    for (int array = 0; array < 5; ++array) code(cdr, none, writes);
+  }
+};
+struct Values {
+  Value value;
+  void code(Cdr& cdr) {
+    cdr << std::uint32_t{1};
+    value.code(cdr, true);
+  }
+};
+struct Setting {
+  std::string name;
+  Value value;
+  void code(Cdr& cdr) {
+    std::uint32_t count = 0;
+    cdr >> count >> name;
+    value.code(cdr, false);
+  }
+};
+struct Result {
+  std::string reason;
+  void code(Cdr& cdr) { cdr << std::uint32_t{1} << reason.empty() << reason; }
+};
+
 /// Reads or writes a message by its code().
 template <typename Message>
 class Type : public dds::TopicDataType {
@@ -130,6 +175,14 @@ class Peer {
                                  "rcl_interfaces::srv::dds_::GetParameterTypes_Request_");
     reply_ = writer<Reply>("rr/method/get_parameter_typesReply",
                            "rcl_interfaces::srv::dds_::GetParameterTypes_Response_");
+    get_ = reader<Question>("rq/method/get_parametersRequest",
+                            "rcl_interfaces::srv::dds_::GetParameters_Request_");
+    values_ = writer<Values>("rr/method/get_parametersReply",
+                             "rcl_interfaces::srv::dds_::GetParameters_Response_");
+    set_ = reader<Setting>("rq/method/set_parametersRequest",
+                           "rcl_interfaces::srv::dds_::SetParameters_Request_");
+    result_ = writer<Result>("rr/method/set_parametersReply",
+                             "rcl_interfaces::srv::dds_::SetParameters_Response_");
     command_ = node_.stamped()
                    ? writer<TwistStamped>("rt/cmd_vel", "geometry_msgs::msg::dds_::TwistStamped_")
                    : writer<Twist>("rt/cmd_vel", "geometry_msgs::msg::dds_::Twist_");
@@ -148,6 +201,14 @@ class Peer {
       take_one<Question>(question_, [this](const Question&) {
         Reply reply;
         reply_->write(&reply);
+      });
+      take_one<Question>(get_, [this](const Question&) {
+        Values values{{3, node_.speed()}};
+        values_->write(&values);
+      });
+      take_one<Setting>(set_, [this](const Setting& setting) {
+        Result result{node_.set_speed(setting.value.number)};
+        result_->write(&result);
       });
     }
   }
@@ -230,8 +291,8 @@ class Peer {
   dds::Publisher* publisher_ = nullptr;
   dds::Subscriber* subscriber_ = nullptr;
   dds::DataReader *clock_ = nullptr, *goal_ = nullptr, *odometry_ = nullptr, *scan_ = nullptr,
-                  *question_ = nullptr;
-  dds::DataWriter *reply_ = nullptr, *command_ = nullptr;
+                  *question_ = nullptr, *get_ = nullptr, *set_ = nullptr;
+  dds::DataWriter *reply_ = nullptr, *values_ = nullptr, *result_ = nullptr, *command_ = nullptr;
 };
 
 }  // namespace

@@ -38,6 +38,15 @@ class NavigatingNode {
     }
   }
 
+  /// A parameter: the factor of its velocities.
+  double speed() const { return speed_; }
+  /// Returns the reason for which it is refused, or "".
+  std::string set_speed(double speed) {
+    if (speed > 1) return "it is beyond 1";
+    if (fault_ != "forgetful") speed_ = speed;
+    return "";
+  }
+
   bool stamped() const { return stamped_; }
   /// The fault, for those that concern the middleware.
   const std::string& fault() const { return fault_; }
@@ -72,6 +81,7 @@ class NavigatingNode {
   void answer() {
     if (!has_goal_ || latest_.stamp == 0) return;
     Answer answer = latest_;
+    answer.velocity.v *= speed_;
     if (has_fault_now()) {
       if (fault_ == "silent") return;
       if (fault_ == "exit") std::exit(3);
@@ -90,6 +100,7 @@ class NavigatingNode {
   std::string fault_;
   bool stamped_ = false, timer_ = false, has_goal_ = false, faulty_run_ = false, moves_ = false;
   int scans_ = 0;
+  double speed_ = 1;
   Answer latest_;
   std::int64_t previous_stamp_ = 0, now_ = 0;
 };

@@ -21,6 +21,7 @@ struct Network {
   std::deque<RosCommand> commands;    // on their way to the simulator
   std::function<void(RosTime now)> on_clock = [](RosTime) {};
   std::vector<std::string> missing;
+  std::string missing_parameter;
   mrpt::math::TPose2D goal;
   int publishers = 1;
   bool deaf = false;  // the nodes do not reply to barriers
@@ -37,6 +38,10 @@ class FakeLink : public RosLink {
   explicit FakeLink(Network& network) : network_(network) { ++network.links; }
   std::vector<std::string> missing() override { return network_.missing; }
   int publishers() override { return network_.publishers; }
+  std::string set_parameter(std::size_t parameter, double) override {
+    network_.sent.push_back("parameter " + std::to_string(parameter));
+    return network_.missing_parameter;
+  }
   void send_goal(const mrpt::math::TPose2D& goal, RosTime) override {
     network_.sent.push_back("goal");
     network_.goal = goal;
@@ -327,6 +332,38 @@ TEST_F(Ros2MethodTest, InRealTimeTheLatestCommandOfThePeriodCounts) {
   EXPECT_EQ(figure("commands_missing"), 1);
 }
 
+TEST_F(Ros2MethodTest, ParametersAreSetWhenTheNodesAreThereAndWaitedForUntilTheStartupTime) {
+  options_.parameter_set = "a.speed=1; a.FollowPath.gain=2";
+  begin();
+  EXPECT_EQ(network_.sent, (std::vector<std::string>{"parameter 0", "parameter 1", "goal"}));
+  method_.reset();
+  network_.missing_parameter = "parameter speed of the node /a";
+  try {
+    begin();
+    FAIL();
+  } catch (const NodeParameterError& error) {
+    EXPECT_TRUE(mentions(error.what(), {"no parameter speed of the node /a after 30 s"}));
+  }
+  EXPECT_GE(network_.time, options_.startup_time);
+}
+
+TEST(Ros2Options, ParametersOfNodesBecomeAFileOfRos) {
+  Ros2Options options;
+  options.name_space = "robot";
+  options.parameter_set = "b.FollowPath.gain=0.5; /a.on=true; b.name=it's; b.count = 3";
+  EXPECT_EQ(parameter_file_text(node_parameters(options)),
+            "/a:\n  ros__parameters:\n    on: true\n"
+            "/robot/b:\n  ros__parameters:\n    FollowPath.gain: 0.5\n    name: 'it''s'\n"
+            "    count: 3\n");
+}
+
+TEST(Ros2Options, TheValueOfAParameterIsThatOfItsAssignment) {
+  const IniFile ini = IniFile::from_text("[method.a]\nparameter_set = n.x=1; n.y = 2\n");
+  EXPECT_EQ(ros2_parameter_value(ini, "method.a", "n.y"), "2");
+  EXPECT_EQ(ros2_parameter_value(ini, "method.a", "n.z"), std::nullopt);
+  EXPECT_EQ(ros2_parameter_value(ini, "method.b", "n.x"), std::nullopt);
+}
+
 TEST(Ros2Options, InvalidNamesAndCombinationsAreRefused) {
   const auto refused = [](const std::string& keys, const std::string& where,
                           std::initializer_list<std::string> words) {
@@ -337,6 +374,9 @@ TEST(Ros2Options, InvalidNamesAndCombinationsAreRefused) {
   EXPECT_TRUE(refused("command = cmd vel\n", "command", {"invalid name 'cmd vel'"}));
   EXPECT_TRUE(refused("barrier = a, 2b\n", "barrier", {"invalid name '2b'"}));
   EXPECT_TRUE(refused("scan = /scan/\n", "scan", {"invalid name '/scan/'"}));
+  EXPECT_TRUE(refused("parameter_set = a.x=1; speed=2\n", "parameter_set",
+                      {"malformed assignment 'speed=2'", "NODE.NAME=VALUE; ..."}));
+  EXPECT_TRUE(refused("parameter_set = a-b.x=1\n", "parameter_set", {"invalid name '/a-b'"}));
   EXPECT_TRUE(refused("domain = 0\n", "domain", {"in [1, 101]"}));
   EXPECT_TRUE(refused("mode = fast\n", "mode", {"lockstep, realtime"}));
   EXPECT_TRUE(refused("barrier = a\nmode = realtime\n", "barrier", {"mode = lockstep"}));

@@ -221,6 +221,53 @@ TEST_F(Ros2NodesTest, TheLastOfSeveralCommandsForAScanCountsIfTheirNumberIsKnown
                {"further commands on /cmd_vel followed an observation", "commands_per_cycle = 1"}));
 }
 
+TEST_F(Ros2NodesTest, ParametersAreSetInTheirTypesAndHaveEffect) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "parameters.yaml";
+  const auto method = make("launch = cp $SLALOM_PARAMETERS " + file +
+                           " && exec " CYCLONE_PEER
+                           "\n"
+                           "parameter_set = method.speed=0; method.count=7; method.on=true; "
+                           "method.label=a b\n");
+  EXPECT_EQ(read_file(file),
+            "/method:\n  ros__parameters:\n    speed: 0\n    count: 7\n    on: true\n"
+            "    label: 'a b'\n");
+  const SimulationResult result = run(*method);
+  EXPECT_EQ(result.outcome, Outcome::Stuck) << result.detail;
+  // The value that the node has by itself.
+  expect_equal_runs(*launch(CYCLONE_PEER, "parameter_set = method.speed=1\nrestart = run\n"));
+}
+
+TEST_F(Ros2NodesTest, ParametersOfNodesOnFastDdsAreSet) {
+  if (std::string(FAST_PEER).empty()) GTEST_SKIP() << "there is no Fast DDS 2";
+  const SimulationResult result =
+      run(*launch(FAST_PEER, "parameter_set = method.speed=0.5; method.speed=0\n"));
+  EXPECT_EQ(result.outcome, Outcome::Stuck) << result.detail;
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, "my.ini:", {"parameter_set", "/method refuses speed = 3: it is beyond 1"},
+      [] { launch(FAST_PEER, "parameter_set = method.speed=3\n"); }));
+}
+
+TEST_F(Ros2NodesTest, AParameterThatANodeDoesNotTakeIsAnErrorWithItsReason) {
+  const auto refused = [](const std::string& set, std::initializer_list<std::string> words,
+                          const std::string& arguments = "") {
+    return throws_error(ErrorKind::Usage, "my.ini:5: [method.a] parameter_set", words, [&] {
+      const IniFile ini = IniFile::from_text(
+          "[method.a]\nadapter = ros2\nlaunch = exec " CYCLONE_PEER " " + arguments +
+              "\nstartup_time = 5\nparameter_set = method." + set + "\n",
+          "my.ini");
+      read_ros2_method(ini, "method.a")(RobotModel(), SensorModel());
+    });
+  };
+  EXPECT_TRUE(refused("speed=3", {"the node /method refuses speed = 3: it is beyond 1"}));
+  EXPECT_TRUE(refused("speed=fast", {"parameter speed of the node /method is a double", "'fast'"}));
+  EXPECT_TRUE(refused("count=2.5", {"parameter count", "is an integer, not '2.5'"}));
+  EXPECT_TRUE(refused("on=1", {"parameter on", "is a bool, not '1'"}));
+  EXPECT_TRUE(refused("list=1", {"parameter list", "is an array"}));
+  EXPECT_TRUE(refused("sped=1", {"no parameter sped of the node /method after 5 s"}));
+  EXPECT_TRUE(refused("speed=0.5", {"does not keep its value"}, "forgetful"));
+}
+
 TEST_F(Ros2NodesTest, WhatIsMissingAtTheStartIsNamed) {
   SensorModel sensor;
   const auto refused = [&](const std::string& keys, std::initializer_list<std::string> words) {

@@ -5,6 +5,7 @@
 #include <slalom/core/wall_clock.h>
 #include <slalom/methods/method_factory.h>
 
+#include <optional>
 #include <string>
 
 namespace slalom {
@@ -37,6 +38,8 @@ struct Ros2Options {
   Ros2Mode mode = Ros2Mode::Lockstep;
   /// Nodes that must have handled the data before time goes on, in this order, comma-separated.
   std::string barrier;
+  /// Parameters of nodes, "NODE.NAME=VALUE; ...", set and read back before the first run.
+  std::string parameter_set;
   int domain = 42;             ///< DDS domain; with `launch` the first one of the workers
   std::string rmw;             ///< RMW_IMPLEMENTATION of the launched nodes; empty: unchanged
   double deadline = 10;        ///< wall-clock time without a command, s
@@ -72,12 +75,17 @@ struct Ros2Options {
 /// real base.
 ///
 /// reset() and step() throw MethodTimeout when no command arrives in time, and MethodError when the
-/// process exits, or the publishers of the commands are not as expected. The factory throws
-/// Error (Usage) when the launched nodes do not appear within the startup time.
+/// process exits, the publishers of the commands are not as expected, or a node refuses a
+/// parameter. The factory throws Error (Usage) when the launched nodes do not appear within the
+/// startup time, or refuse a parameter.
 MethodFactory ros2_method(const Ros2Options& options, const WallClock& clock = steady_seconds);
 
 /// The same with options from an .ini; a MethodReader.
 MethodFactory read_ros2_method(const IniFile& ini, const std::string& section,
                                const WallClock& clock = steady_seconds);
+
+/// The value of "NODE.NAME" in `parameter_set` of an .ini; none if it has none.
+std::optional<std::string> ros2_parameter_value(const IniFile& ini, const std::string& section,
+                                                const std::string& name);
 
 }  // namespace slalom
