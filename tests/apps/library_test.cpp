@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_run.h"
 
+#include <slalom/analysis/tune_search.h>
 #include <slalom/evaluate.h>
 #include <slalom/io/read_results.h>
 #include <slalom/library/library_method.h>
@@ -68,6 +69,49 @@ TEST_F(Library, GivesTheValuesOfTheProgram) {
   expect_same(table.metrics, expected, find_metric);
   ASSERT_EQ(table.descriptors.size(), expected.descriptors.size());
   expect_same(table.descriptors, expected, find_descriptor);
+}
+
+// The example of docs/library.md, with fewer scenarios.
+TEST_F(Library, TunesByTheFunctionsOfTheAnalysis) {
+  PassageOptions family;
+  family.min_width = 0.68;
+  family.max_width = 0.75;
+  Options options;
+  options.robot.radius = 0.21;
+  options.workers = 2;
+  options.metrics = options.descriptors = {};
+  TuneOptions search;
+  search.budget = kMinTuneBudget;
+  search.development = search.finals = 100;
+  // Name, default, low, high, log, integer, choices, condition.
+  const slalom::ParameterSpace space({{"margin", 0.1, 0, 0.3, false, false, {}, {}},
+                                      {"look_ahead", 2.5, 0.5, 5, true, false, {}, {}}});
+  const auto development = slalom::generate(family, 100, 1),
+             finals = slalom::generate(family, 100, 2);
+  const auto run = [&](const slalom::TuneRequest& request) {
+    slalom::Methods methods;
+    methods.add("gap", slalom::plugin("libslalom_follow_the_gap.so",
+                                      {{"margin", space.text(0, request.configuration[0])},
+                                       {"look_ahead", space.text(1, request.configuration[1])}}));
+    const auto& all = request.phase == slalom::TunePhase::Finals ? finals : development;
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(request.first);
+    const auto table = slalom::evaluate(
+        methods, {first, first + static_cast<std::ptrdiff_t>(request.count)}, options);
+    std::vector<slalom::TuneOutcome> outcomes;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const std::string& outcome = table.outcomes[table.outcome[i]];
+      outcomes.push_back({outcome == "success", outcome == "collision", {}});
+    }
+    for (std::size_t i = 0; i < table.size(); ++i)
+      EXPECT_EQ(table.scenario_hashes[table.scenario[i]], (first + i)->hash());
+    return outcomes;
+  };
+  const slalom::TuneResult result = slalom::tune_search(space, search, run);
+  const slalom::Configuration& best = result.candidates[result.winner].configuration;
+  EXPECT_TRUE(result.complete);
+  EXPECT_LE(result.runs(TunePhase::Development) + result.runs(TunePhase::Finals), search.budget);
+  // The default has a margin at which some doors are too narrow.
+  EXPECT_LT(best[0], 0.1);
 }
 
 }  // namespace
