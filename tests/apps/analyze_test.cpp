@@ -157,6 +157,8 @@ TEST_F(Analyze, EveryVerbSucceedsOrFailsWithOneLine) {
   }
   expect_failure("slalom-analyze summary runs.results runs.results", 2, {"one result file"});
   expect_failure("slalom-analyze map runs.results --rows density:2", 2, {"two descriptors"});
+  // Both methods solve the same of four scenarios.
+  expect_failure("slalom-analyze difficulty runs.results", 2, {"no two methods", "expected more"});
   expect_failure("slalom-analyze table runs.results --rows density", 2,
                  {"--rows 'density': no bins", "density:0,0.1,0.2", "density:q4"});
   expect_failure("slalom-analyze robustness runs.results runs.results --parameter sensor.rays", 2,

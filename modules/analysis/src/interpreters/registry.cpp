@@ -11,7 +11,7 @@ using Interpret = Interpretation(const std::vector<ResultTable>& results,
 // Each in its own file of this folder.
 Interpret interpret_summary, interpret_cross_tables, interpret_map, interpret_comparison,
     interpret_ranks, interpret_profile, interpret_completion, interpret_failures,
-    interpret_validity, interpret_robustness, interpret_history;
+    interpret_validity, interpret_difficulty, interpret_robustness, interpret_history;
 
 const std::vector<Interpreter>& all_interpreters() {
   static const std::vector<std::string> table_metrics = {"success", "optimality", "safety"};
@@ -50,6 +50,14 @@ const std::vector<Interpreter>& all_interpreters() {
        1,
        1,
        {"success", "spl"},
+       {},
+       true},
+      {"difficulty",
+       "Scale of difficulty: abilities of methods, difficulty of scenarios and its prediction",
+       interpret_difficulty,
+       1,
+       1,
+       {"success"},
        {},
        true},
       {"robustness", "Metrics over a swept parameter, with one result file per value",

@@ -154,7 +154,7 @@ double improve(const Margins& margins, std::vector<double>& abilities) {
   return 0;
 }
 
-/// What the model expects of scenarios of one ease, the negative of their difficulty.
+/// Moments that the model expects in scenarios of one ease, the negative of their difficulty.
 struct Expectation {
   double score = 0, information = 0, skewness = 0;
 };
