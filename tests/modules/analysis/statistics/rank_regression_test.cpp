@@ -67,8 +67,8 @@ TEST(RankRegression, FractionPredictedIsOneMinusTheRest) {
 }
 
 TEST(RankRegression, OfGroupsPredictsTheirMeans) {
-  // Without a penalty each row is predicted by the mean of its group in the other fold. A little of
-  // it keeps the columns, whose sum is constant, apart.
+  // Each row is predicted by the mean of its group in the other fold, but for a penalty that keeps
+  // the columns apart, whose sum is constant.
   const std::vector<std::size_t> groups = {0, 0, 1, 1};
   const auto predictions =
       cross_predict(group_predictors(groups), {1, 3, 10, 20}, {0, 1, 0, 1}, 1e-9);

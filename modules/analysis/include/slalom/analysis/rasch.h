@@ -64,8 +64,8 @@ struct RaschResiduals {
   double infit = 1;   ///< weighted by the information
 };
 
-/// Returns those of each method, with the difficulties of maximum likelihood. Requires an informative
-/// scenario.
+/// Returns those of each method, with the difficulties of maximum likelihood. Requires an
+/// informative scenario.
 std::vector<RaschResiduals> rasch_residuals(const OutcomeMatrix& outcomes,
                                             const std::vector<double>& abilities);
 
