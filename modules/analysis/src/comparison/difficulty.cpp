@@ -74,7 +74,8 @@ std::vector<MethodAbility> abilities_of(const ResultTable& table, const OutcomeM
     method.ability = ability;
     method.interval = Interval{ability - half, ability + half};
     method.residuals = residuals[i];
-    method.discrimination = correlation_with_rest(column_of(compared, i), solvers);
+    if (comparable.size() > 2)
+      method.discrimination = correlation_with_rest(column_of(compared, i), solvers);
   }
   std::stable_sort(methods.begin(), methods.end(),
                    [](const MethodAbility& a, const MethodAbility& b) {

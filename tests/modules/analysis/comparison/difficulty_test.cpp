@@ -78,6 +78,7 @@ TEST(Difficulty, OfTwoMethodsIsTheLogarithmOfTheRatioOfTheirWins) {
   // Half of the standard error sqrt(1/3 + 1) of the difference, times the normal quantile 1.96.
   EXPECT_NEAR(scale.methods[0].interval->high - *scale.methods[0].ability,
               1.959964 * std::sqrt(4 / 3.0) / 2, 1e-6);
+  EXPECT_FALSE(scale.methods[0].discrimination) << "two methods";
   EXPECT_EQ(scale.informative, 4U);
   EXPECT_EQ(scale.scenarios[4].solved_by, 2U);
   EXPECT_LT(scale.scenarios[4].difficulty, scale.scenarios[0].difficulty);

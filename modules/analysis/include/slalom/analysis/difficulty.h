@@ -20,7 +20,8 @@ struct MethodAbility {
   std::optional<Interval> interval;
   std::optional<RaschResiduals> residuals;
   /// Correlation of its outcomes with the number of other methods that solve the scenario.
-  /// Negative: it solves rather the scenarios that others fail.
+  /// Negative: it solves rather the scenarios that others fail. None with two methods: the wins of
+  /// one are the failures of the other one.
   std::optional<double> discrimination;
 };
 
