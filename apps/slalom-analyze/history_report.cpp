@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "address_text.h"
 #include "history_report.h"
 
 #include <slalom/io/result_file.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace slalom {
@@ -16,21 +16,6 @@ const Interpreter& history_interpreter() {
   const auto& all = all_interpreters();
   return *std::find_if(all.begin(), all.end(),
                        [](const Interpreter& interpreter) { return interpreter.id == "history"; });
-}
-
-/// "a b" -> "a%20b", for the part of an address after "#"; slashes remain.
-std::string address_text(const std::string& text) {
-  constexpr const char* kDigits = "0123456789ABCDEF";
-  std::string address;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || c == '/' || c == '-' || c == '_' || c == '.';
-    if (plain)
-      address += c;
-    else
-      address += std::string("%") + kDigits[byte / 16] + kDigits[byte % 16];
-  }
-  return address;
 }
 
 std::string folder_name(const std::string& results, std::size_t index) {

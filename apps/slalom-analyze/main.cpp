@@ -5,6 +5,7 @@
 #include "interpret.h"
 #include "metrics.h"
 #include "output.h"
+#include "registry.h"
 #include "show.h"
 #include "sim2real.h"
 #include "trajectories.h"
@@ -189,6 +190,7 @@ int main(int argc, char** argv) {
                      argv, [&arguments](CLI::App& app) {
                        define_interpreters(app);
                        define_report(app, arguments);
+                       define_registry(app);
                        define_show(app, arguments);
                        define_dump(app, arguments);
                        define_export(app);

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "address_text.h"
+#include "registry.h"
+
+#include <slalom/analysis/data_table.h>
+#include <slalom/analysis/interpreter.h>
+#include <slalom/analysis/paired_comparison.h>
+#include <slalom/analysis/summary.h>
+#include <slalom/app/output_folder.h>
+#include <slalom/app/testbeds.h>
+#include <slalom/campaign/campaign_options.h>
+#include <slalom/campaign/shards.h>
+#include <slalom/commands/list_hash.h>
+#include <slalom/core/error.h>
+#include <slalom/core/hash.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
+#include <slalom/io/campaign_identity.h>
+#include <slalom/io/read_results.h>
+#include <slalom/io/result_file.h>
+#include <slalom/report/report.h>
+#include <slalom/results/privileged.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <set>
+
+namespace slalom {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct RegistryArguments {
+  std::string folder, output, title = "Registry";
+  bool reports = true;
+};
+
+/// A bundle in the folder.
+struct Entry {
+  std::string path, name;  ///< name: unique, that of the file without its ending
+  ResultTable runs;
+  std::string scenarios;  ///< "slalom-small", or the hash
+  std::string settings;   ///< what differs from the defaults, without the methods
+  std::string verified;   ///< what was executed again, or ""
+};
+
+/// A method of an entry, a row of a table.
+struct Row {
+  const Entry* entry = nullptr;
+  std::string method;
+  std::size_t best = 1, worst = 1;  ///< ranks that the comparisons leave
+  const MethodSummary* summary = nullptr;
+};
+
+/// Methods over the same scenarios with the same settings.
+struct Group {
+  std::string title;
+  std::vector<const Entry*> entries;
+  std::vector<SummaryTable> summaries;  ///< parallel to `entries`
+  std::vector<Row> rows;                ///< by success
+};
+
+constexpr const char* kMetrics[] = {"success", "optimality", "safety"};
+
+/// The values of the campaign that are not the defaults, without names and methods: those decide
+/// which results stand in one table.
+std::string settings_of(const Manifest& manifest, const std::string& path) {
+  const auto text = manifest.find(kEffectiveKey);
+  if (text == manifest.end()) throw file_error(path, "does not state its settings");
+  const IniFile ini = IniFile::from_text(text->second, path),
+                defaults = campaign_ini(CampaignOptions(), "");
+  std::vector<std::string> settings;
+  for (const std::string& section : ini.sections())
+    for (const std::string& key : ini.keys(section)) {
+      if (starts_with(section, "method.") || section == "limits" || section == "analysis" ||
+          section == "reference" || section == "metrics" || section == "record" ||
+          (section == "campaign" && key != "repetitions"))
+        continue;
+      const std::string value = ini.get(section, key).value_or("");
+      if (value != defaults.get(section, key).value_or(""))
+        settings.push_back(section + "." + key + " = " + value);
+    }
+  return join(settings, ", ");
+}
+
+/// The message of the verification beside a bundle, "" if there is none.
+std::string verification_of(const std::string& bundle) {
+  const std::string path = bundle + ".verified.json";
+  if (!fs::exists(path)) return "";
+  const Json json = Json::parse(read_text(path, "a verification"), nullptr, false);
+  const auto text = [&](const char* key) {
+    return json.is_object() && json.contains(key) && json[key].is_string()
+               ? json[key].get<std::string>()
+               : std::string();
+  };
+  if (text("message").empty())
+    throw file_error(path, "is no verification", "what slalom-simulate verify --badge writes");
+  if (text("file_hash") != Hasher().add(read_file(bundle)).hex()) return "of another file";
+  if (text("color") == "red") throw file_error(path, "says that its runs are different");
+  return text("message") + ", " + text("date") + ", " + text("processor");
+}
+
+Entry read_entry(const std::string& path, const std::string& name) {
+  Entry entry{path, name, read_results(path), "", "", ""};
+  if (!entry.runs.damaged.empty()) throw file_error(path, "is damaged");
+  const Manifest& manifest = entry.runs.manifest;
+  if (manifest.count("until") > 0)
+    throw file_error(path, "is of a campaign whose number of runs depends on its results",
+                     "a campaign without --until");
+  const RunPlan plan = plan_of(manifest, path);
+  if (plan.shard.count > 1 || entry.runs.size() != plan.runs())
+    throw file_error(path, "has " + std::to_string(entry.runs.size()) + " runs",
+                     "all " + std::to_string(plan.runs()) + " of its campaign");
+  const std::string hash = content_hash(entry.runs.scenario_hashes), bed = testbed_of(hash);
+  entry.scenarios = bed.empty() ? "scenarios " + hash : bed;
+  entry.settings = settings_of(manifest, path);
+  entry.verified = verification_of(path);
+  mark_privileged(entry.runs);
+  return entry;
+}
+
+/// The keys of a method in its campaign and the hashes of its files: two entries with the same ones
+/// contain the same runs.
+std::string identity_of(const Entry& entry, const std::string& method) {
+  const std::string section = "method." + unmarked_name(method) + ".";
+  std::string identity = method;
+  for (const auto& [key, value] : identity_parts(entry.runs.manifest))
+    if (starts_with(key, section)) identity += "\n" + key + "=" + value;
+  return identity;
+}
+
+std::vector<std::string> known_metrics(const ResultTable& runs) {
+  std::vector<std::string> known;
+  for (const char* id : kMetrics)
+    if (id == std::string("success") || find_metric(runs, id) != nullptr) known.emplace_back(id);
+  return known;
+}
+
+/// The success of two rows of one group, over the same scenarios.
+PairedComparison compare_rows(const Row& a, const Row& b) {
+  return compare_pair({&a.entry->runs, a.method, a.method}, {&b.entry->runs, b.method, b.method},
+                      "success", {});
+}
+
+/// Sorts the rows by success, and finds the ranks that the comparisons of all pairs leave.
+void rank_rows(std::vector<Row>& rows) {
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return a.summary->cells[0].estimate > b.summary->cells[0].estimate;
+  });
+  std::vector<PairedComparison> pairs;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = i + 1; k < rows.size(); ++k)
+      pairs.push_back(compare_rows(rows[k], rows[i]));
+  finish_families(pairs);
+  for (Row& row : rows) row.worst = rows.size();
+  auto pair = pairs.begin();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = i + 1; k < rows.size(); ++k, ++pair)
+      if (pair->verdict == Verdict::Better) {
+        --rows[i].worst;
+        ++rows[k].best;
+      }
+}
+
+Group make_group(const std::vector<const Entry*>& entries) {
+  Group group{"", entries, {}, {}};
+  const Entry& first = *entries.front();
+  group.title = first.scenarios + ", " + count_text(first.runs.scenario_hashes.size(), "scenario") +
+                (first.settings.empty() ? "" : ": " + first.settings);
+  for (const Entry* entry : entries)
+    group.summaries.push_back(build_summary(entry->runs, known_metrics(entry->runs), {}));
+  std::set<std::string> known;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    for (const MethodSummary& method : group.summaries[i].methods)
+      if (known.insert(identity_of(*entries[i], method.method)).second)
+        group.rows.push_back({entries[i], method.method, 1, 1, &method});
+  rank_rows(group.rows);
+  return group;
+}
+
+std::string rank_text(const Row& row) {
+  return std::to_string(row.best) + (row.best == row.worst ? "" : "-" + std::to_string(row.worst));
+}
+
+Field number(const std::optional<double>& value) {
+  return value ? Field(*value) : Field();
+}
+
+DataTable table_of(const Group& group) {
+  DataTable table;
+  table.name = table.title = group.title;
+  table.columns = {"rank", "method", "success", "success.low", "success.high", "runs"};
+  for (const char* id : {"optimality", "safety"}) table.columns.emplace_back(id);
+  for (const char* column : {"verified", "bundle", "report"}) table.columns.emplace_back(column);
+  table.rows = group.rows.size();
+  table.at = [&group, columns = table.columns](std::size_t i, std::size_t column) -> Field {
+    const Row& row = group.rows[i];
+    const Cell& success = row.summary->cells[0];
+    const std::string& id = columns[column];
+    if (id == "rank") return rank_text(row);
+    if (id == "method") return row.method;
+    if (id == "success") return number(success.estimate);
+    if (id == "success.low") return success.interval ? Field(success.interval->low) : Field();
+    if (id == "success.high") return success.interval ? Field(success.interval->high) : Field();
+    if (id == "runs") return static_cast<std::int64_t>(row.summary->n);
+    if (id == "verified") return row.entry->verified.empty() ? "no" : row.entry->verified;
+    if (id == "bundle") return row.entry->name + ".slalom";
+    if (id == "report") return row.entry->name;
+    const std::vector<std::string> metrics = known_metrics(row.entry->runs);
+    const auto found = std::find(metrics.begin(), metrics.end(), id);
+    if (found == metrics.end()) return {};
+    return number(row.summary->cells[static_cast<std::size_t>(found - metrics.begin())].estimate);
+  };
+  return table;
+}
+
+/// The bundles of a folder and of those in it, by their paths below it, in alphabetical order.
+std::vector<fs::path> bundles_in(const std::string& folder) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".slalom")
+      paths.push_back(entry->path().lexically_relative(folder));
+  if (error) throw file_error(folder, "cannot be read (" + error.message() + ")", "a folder");
+  if (paths.empty()) throw file_error(folder, "contains no bundles", "files (.slalom)");
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// "a/b" -> "a-b", the name of an entry in the site.
+std::string entry_name(const fs::path& path) {
+  std::string name = fs::path(path).replace_extension().string();
+  std::replace(name.begin(), name.end(), '/', '-');
+  return name;
+}
+
+std::string without(std::string text, const std::string& beginning) {
+  if (starts_with(text, beginning)) text.erase(0, beginning.size());
+  return text;
+}
+
+void publish(const Entry& entry, const RegistryArguments& arguments) {
+  const fs::path site(arguments.output), bundle = site / "bundles" / (entry.name + ".slalom");
+  make_output_folder(bundle.parent_path().string());
+  write_file_atomically(bundle.string(), read_file(entry.path));
+  if (!arguments.reports) return;
+  const fs::path report = site / "reports" / entry.name;
+  make_output_folder(report.string());
+  write_report(entry.path, entry.runs, report_options(entry.runs), report.string());
+}
+
+void registry(const RegistryArguments& arguments) {
+  std::vector<Entry> entries;
+  Interpretation page;
+  page.remarks.emplace_back(
+      "Rank by success: 2-4 means that one method is better, and that two others are not told "
+      "apart "
+      "from it in the same scenarios (McNemar's or Wilcoxon's test, Holm over all pairs of a "
+      "table, "
+      "0.05)");
+  page.remarks.emplace_back(
+      "Each row is repeated by: slalom-simulate verify BUNDLE --fraction 1. Verified: how many "
+      "runs "
+      "were executed again with identical values, by whoever made this site");
+  for (const fs::path& path : bundles_in(arguments.folder)) {
+    try {
+      entries.push_back(read_entry((fs::path(arguments.folder) / path).string(), entry_name(path)));
+    } catch (const Error& error) {
+      print_notice(std::string("left out: ") + error.what());
+      page.remarks.push_back("Left out: " + without(error.what(), arguments.folder + "/"));
+      page.passed = false;
+    }
+  }
+  std::map<std::pair<std::string, std::string>, std::vector<const Entry*>> sets;
+  for (const Entry& entry : entries) sets[{entry.scenarios, entry.settings}].push_back(&entry);
+  std::vector<Group> groups;
+  for (const auto& [key, members] : sets) groups.push_back(make_group(members));
+  for (const Group& group : groups) page.tables.push_back(table_of(group));
+  PrivilegedMethods privileged;
+  for (const Entry& entry : entries) {
+    publish(entry, arguments);
+    privileged.add(privileged_methods(entry.runs.manifest));
+  }
+  page.footnote = privileged_footnote(privileged);
+  const auto address_of = [&](const std::string& column, const std::string& field) {
+    if (column == "bundle") return "bundles/" + address_text(field);
+    if (column == "report" && arguments.reports)
+      return "reports/" + address_text(field) + "/index.html";
+    return std::string();
+  };
+  const fs::path site(arguments.output);
+  make_output_folder(site.string());
+  write_file_atomically((site / "registry.json").string(), render_json(page));
+  write_file_atomically((site / "index.html").string(),
+                        render_html(page, arguments.title, address_of));
+  std::cout << (site / "index.html").string() << ": " << count_text(groups.size(), "table")
+            << " of " << count_text(entries.size(), "bundle") << "\n";
+  if (!page.passed) throw job_error(arguments.folder, "some bundles were left out");
+}
+
+}  // namespace
+
+void define_registry(CLI::App& app) {
+  static RegistryArguments arguments;
+  CLI::App* verb = app.add_subcommand(
+      "registry",
+      "Write a site with the results of the bundles in a folder: a table for each set "
+      "of scenarios and settings");
+  verb->add_option("folder", arguments.folder, "A folder with bundles (.slalom)")->required();
+  verb->add_option("-o,--output", arguments.output, "Folder to write to")->required();
+  verb->add_option("--title", arguments.title, "Title of the site")->capture_default_str();
+  verb->add_flag("!--no-reports", arguments.reports, "Without a report of each bundle");
+  verb->callback([] { registry(arguments); });
+}
+
+}  // namespace slalom

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program_run.h"
+
+#include <slalom/core/hash.h>
+
+#include <nlohmann/json.hpp>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A folder "entries" with bundles.
+class Registry : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write("small.ini", kSmallCampaign);
+    std::filesystem::create_directories(folder_ / "entries/lab");
+  }
+
+  void add_entry(const std::string& name, const std::string& settings = "") const {
+    const ProgramResult made =
+        run("slalom-evaluate small.ini --quiet --overwrite -o out --bundle entries/" + name +
+            ".slalom " + settings);
+    ASSERT_EQ(made.status, 0) << made.err;
+  }
+
+  Json tables() const { return Json::parse(read("site/registry.json"))["tables"]; }
+
+  /// The rows of a table as objects.
+  static std::vector<Json> rows_of(const Json& table) {
+    std::vector<Json> rows;
+    for (const Json& row : table["rows"]) {
+      Json& object = rows.emplace_back(Json::object());
+      for (std::size_t i = 0; i < row.size(); ++i) object[table["columns"][i]] = row[i];
+    }
+    return rows;
+  }
+};
+
+TEST_F(Registry, RanksTheMethodsOfSeveralBundlesOverTheSameScenarios) {
+  add_entry("first");
+  // Another method, and one that the first bundle contains already.
+  add_entry("lab/second",
+            "--set campaign.methods=gap,go --set method.go.adapter=library "
+            "--set method.go.plugin=libslalom_go_to_goal.so");
+  ASSERT_EQ(run("slalom-simulate verify entries/first.slalom --fraction 1 --badge --quiet").status,
+            0);
+  const ProgramResult made = run("slalom-analyze registry entries -o site --title 'Our lab'");
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.out, "site/index.html: 1 table of 2 bundles\n");
+  const Json table = tables().at(0);
+  EXPECT_EQ(tables().size(), 1U);
+  std::map<std::string, Json> methods;
+  double last = 1;
+  for (const Json& row : rows_of(table)) {
+    methods[row["method"]] = row;
+    EXPECT_LE(row["success"].get<double>(), last);
+    last = row["success"];
+    EXPECT_EQ(row["rank"], "1-3") << "four scenarios tell nothing apart";
+  }
+  ASSERT_EQ(methods.size(), 3U) << "each method once: " << table.dump();
+  EXPECT_EQ(methods["gap"]["bundle"], "first.slalom");
+  EXPECT_EQ(methods["go"]["bundle"], "lab-second.slalom");
+  EXPECT_EQ(methods["go"]["verified"], "no");
+  EXPECT_EQ(methods["nd"]["verified"].get<std::string>().rfind("8 of 8 runs verified, 20", 0), 0U);
+  const std::string page = read("site/index.html");
+  EXPECT_NE(page.find("<h1>Our lab</h1>"), std::string::npos);
+  EXPECT_NE(page.find("href=\"bundles/lab-second.slalom\""), std::string::npos);
+  EXPECT_NE(page.find("href=\"reports/first/index.html\""), std::string::npos);
+  EXPECT_EQ(read("site/bundles/lab-second.slalom"), read("entries/lab/second.slalom"));
+  EXPECT_NE(read("site/reports/lab-second/index.html").find("<title>"), std::string::npos);
+}
+
+TEST_F(Registry, HasATableForEachSetOfScenariosAndSettings) {
+  add_entry("a");
+  add_entry("fast", "--set robot.max_v=1.5");
+  add_entry("other", "--set campaign.seed=6");
+  ASSERT_EQ(run("slalom-analyze registry entries -o site --no-reports").status, 0);
+  std::vector<std::string> titles;
+  const Json all = tables();
+  for (const Json& table : all) titles.push_back(table["name"]);
+  ASSERT_EQ(titles.size(), 3U);
+  EXPECT_EQ(std::count_if(titles.begin(), titles.end(),
+                          [](const std::string& title) {
+                            return title.find(", 4 scenarios: robot.max_v = 1.5") !=
+                                   std::string::npos;
+                          }),
+            1);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "site/reports"));
+}
+
+TEST_F(Registry, LeavesOutWhatIsNoWholeResult) {
+  add_entry("good");
+  const std::string good = read("entries/good.slalom");
+  write("entries/damaged.slalom", good.substr(0, good.size() / 2));
+  write("entries/different.slalom", good);
+  write("entries/different.slalom.verified.json",
+        R"({"message": "different", "color": "red", "file_hash": ")" + Hasher().add(good).hex() +
+            "\"}");
+  write("entries/moved.slalom", good);
+  write("entries/moved.slalom.verified.json",
+        R"({"message": "8 of 8 runs verified", "color": "brightgreen", "file_hash": "0"})");
+  write("entries/nonsense.slalom", good);
+  write("entries/nonsense.slalom.verified.json", "[1, 2");
+  add_entry("until", "--until 'interval(success) < 0.9'");
+  const ProgramResult made = run("slalom-analyze registry entries -o site --no-reports");
+  EXPECT_EQ(made.status, 1);
+  for (const std::string words :
+       {"entries/different.slalom.verified.json: says that its runs are different",
+        "left out: entries/damaged.slalom: ",
+        "entries/nonsense.slalom.verified.json: is no verification",
+        "entries/until.slalom: is of a campaign whose number of runs depends on its results"})
+    EXPECT_NE(made.err.find(words), std::string::npos) << words << " in " << made.err;
+  for (const Json& row : rows_of(tables().at(0))) EXPECT_EQ(row["runs"], 4);
+  EXPECT_NE(read("site/index.html").find("Left out: damaged.slalom: "), std::string::npos);
+  expect_failure("slalom-analyze registry out -o site2", 3, {"out: contains no bundles"});
+  expect_failure("slalom-analyze registry nowhere -o site2", 3, {"nowhere: cannot be read"});
+}
+
+}  // namespace
+}  // namespace slalom
