@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared parts of the scripts that make the tables of docs/baselines-*.md: limits.py, people.py, tuned.py."""
+"""Shared parts of the scripts that make tables of docs: limits.py, people.py, transport.py, tuned.py."""
 
+import json
 import os
 import pathlib
 import re
@@ -34,6 +35,38 @@ def testbed_list(folder, name):
         command = [BIN / "slalom-scenarios", "generate", "-c", ROOT / f"configs/testbeds/{name}.ini"]
         subprocess.run([*command, "-o", scenarios, "-j", JOBS, "--quiet"], check=True)
     return scenarios
+
+
+def call(*command):
+    """What a program prints."""
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
+def run_campaign(folder, name, scenarios, methods, settings):
+    """The result file of the methods in the scenarios with other keys, continued if it is there."""
+    results = folder / f"{name}.results"
+    command = [BIN / "slalom-simulate", "run", "-c", CAMPAIGN, "--scenarios", scenarios]
+    command += ["-o", results, "-j", JOBS, "--quiet"]
+    for setting in [*settings, "campaign.methods=" + ",".join(methods)]:
+        command += ["--set", setting]
+    call(*command)
+    return results
+
+
+def robustness(results, metrics):
+    """The rows of each table of `robustness` over result files, by its name."""
+    command = [BIN / "slalom-analyze", "robustness", *results, "--parameter", "setting", "--allow-differences"]
+    command += ["--values", ",".join(str(i) for i in range(len(results)))]
+    found = json.loads(call(*command, "--metric", ",".join(metrics), "--json"))
+    return {one["name"]: [dict(zip(one["columns"], row)) for row in one["rows"]] for one in found["tables"]}
+
+
+def estimate(row, name, digits=2):
+    """Text such as 0.82 [0.76, 0.87] of the fields NAME, NAME.low and NAME.high."""
+    if row[name] is None:
+        return "–"
+    low, high = row[name + ".low"], row[name + ".high"]
+    return f"{row[name]:.{digits}f}" + ("" if low is None else f" [{low:.{digits}f}, {high:.{digits}f}]")
 
 
 def print_table(header, rows):

@@ -9,10 +9,9 @@ them if methods have changed. The tables, as Markdown, are printed. Environment 
 """
 
 import itertools
-import json
-import subprocess
 
-from baseline_tables import BIN, CAMPAIGN, JOBS, folder_argument, method_arguments, print_table, testbed_list
+from baseline_tables import estimate, folder_argument, method_arguments, print_table, robustness, run_campaign
+from baseline_tables import testbed_list
 
 SETTINGS = {
     "none": ["people.notices=0"],
@@ -23,40 +22,11 @@ SETTINGS = {
 METRICS = {"success": 2, "people_hindrance": 1, "people_deficit": 2, "frozen_time": 1}  # digits
 
 
-def call(*command):
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
-
-
-def run_campaign(folder, name, scenarios, methods):
-    results = folder / f"{name}.results"
-    command = [BIN / "slalom-simulate", "run", "-c", CAMPAIGN, "--scenarios", scenarios]
-    command += ["-o", results, "-j", JOBS, "--quiet"]
-    for setting in [*SETTINGS[name], "campaign.methods=" + ",".join(methods)]:
-        command += ["--set", setting]
-    call(*command)
-    return results
-
-
-def compare(results):
-    """The rows of each table of `robustness`, by its name."""
-    command = [BIN / "slalom-analyze", "robustness", *results, "--parameter", "setting", "--allow-differences"]
-    command += ["--values", ",".join(str(i) for i in range(len(results)))]
-    found = json.loads(call(*command, "--metric", ",".join(METRICS), "--json"))
-    return {one["name"]: [dict(zip(one["columns"], row)) for row in one["rows"]] for one in found["tables"]}
-
-
-def estimate(row, name, digits=2):
-    if row[name] is None:
-        return "–"
-    low, high = row[name + ".low"], row[name + ".high"]
-    return f"{row[name]:.{digits}f}" + ("" if low is None else f" [{low:.{digits}f}, {high:.{digits}f}]")
-
-
 def main():
     folder = folder_argument(__doc__)
     scenarios = testbed_list(folder, "slalom-people-small")
-    results = [run_campaign(folder, name, scenarios, method_arguments()) for name in SETTINGS]
-    tables = compare(results)
+    results = [run_campaign(folder, name, scenarios, method_arguments(), SETTINGS[name]) for name in SETTINGS]
+    tables = robustness(results, METRICS)
     successes = {name[: -len("_success")]: rows for name, rows in tables.items() if name.endswith("_success")}
     methods = sorted(successes, key=lambda method: -sum(row["success"] for row in successes[method]))
     rows = ([one] + [estimate(row, "success") for row in successes[one]] for one in methods)
@@ -65,7 +35,7 @@ def main():
     effects = [metric for metric in METRICS if metric != "success"]
     cell = lambda one, metric: estimate(tables[f"{one}_{metric}"][of_all], metric, METRICS[metric])
     print_table(["method", *effects], ([one] + [cell(one, metric) for metric in effects] for one in methods))
-    orders = [row for i in range(len(results) - 1) for row in compare(results[i:])["order_of_methods"]]
+    orders = [row for i in range(len(results) - 1) for row in robustness(results[i:], METRICS)["order_of_methods"]]
     taus = [estimate(row, "tau") for row in orders if row["metric"] == "success"]
     pairs = [", ".join(pair) for pair in itertools.combinations(SETTINGS, 2)]
     print_table(["settings", "Kendall's tau of success"], zip(pairs, taus))
