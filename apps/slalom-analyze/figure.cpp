@@ -4,12 +4,18 @@
 #include "warnings.h"
 
 #include <slalom/analysis/bins.h>
+#include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/summary.h>
+#include <slalom/app/campaign_names.h>
+#include <slalom/app/completion.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/svg_animation.h>
+#include <slalom/metrics/metric.h>
 #include <slalom/report/figures.h>
 #include <slalom/report/report.h>
 #include <slalom/results/privileged.h>
@@ -18,12 +24,15 @@
 #include <algorithm>
 #include <iostream>
 #include <set>
+#include <tuple>
 
 namespace slalom {
 namespace {
 
 struct FigureArguments {
   std::string results, output, profile, ranks, cell, scenario, animate, method;
+  std::string metric, by, box, distribution, scatter;
+  bool outcomes = false;
   int count = 12, columns = 3, pixels = 320;
   bool quiet = false;
 };
@@ -129,6 +138,13 @@ class RunFigures {
   ReportOptions options_;
 };
 
+std::string metric_by_bins(const ResultTable& runs, const FigureArguments& arguments,
+                           const AnalysisOptions& options) {
+  const std::vector<CrossTable> tables =
+      build_cross_tables(runs, {parse_bin_spec(arguments.by, "--by")}, {arguments.metric}, options);
+  return bins_figure(tables, tables.front().columns.front());
+}
+
 std::string figure(const FigureArguments& arguments) {
   if (!arguments.scenario.empty()) return RunFigures(arguments).of_scenario();
   if (!arguments.cell.empty()) return RunFigures(arguments).of_cell();
@@ -136,11 +152,23 @@ std::string figure(const FigureArguments& arguments) {
   ResultTable runs = read_results(arguments.results);
   warn_of_missing(arguments.results, runs);
   mark_privileged(runs);
+  const AnalysisOptions options = report_options(runs).analysis;
+  if (!arguments.metric.empty()) return metric_by_bins(runs, arguments, options);
+  if (arguments.outcomes) return outcome_figure(build_summary(runs, {"success"}, options));
+  if (!arguments.box.empty()) return box_figure(runs, arguments.box);
+  if (!arguments.distribution.empty()) return distribution_figure(runs, arguments.distribution);
+  if (!arguments.scatter.empty()) {
+    const std::vector<std::string> ids = split(arguments.scatter, ',');
+    if (ids.size() != 2) throw usage_error("--scatter", "is not two ids", "X,Y");
+    return scatter_figure(runs, ids[0], ids[1]);
+  }
   if (!arguments.profile.empty()) return profile_figure(build_profiles(runs, arguments.profile));
-  return rank_figure(build_method_ranks(runs, arguments.ranks, report_options(runs).analysis));
+  return rank_figure(build_method_ranks(runs, arguments.ranks, options));
 }
 
 void run(const FigureArguments& arguments) {
+  if (!arguments.metric.empty() && arguments.by.empty())
+    throw usage_error("--metric " + arguments.metric, "needs --by", "--by density:q4");
   if (!arguments.animate.empty() && !ends_with(arguments.output, ".svg"))
     throw usage_error("--output", "an animation is an SVG", "FILE.svg");
   write_figure(figure(arguments), arguments.output);
@@ -151,9 +179,19 @@ void run(const FigureArguments& arguments) {
 
 void define_figure(CLI::App& app) {
   static FigureArguments arguments;
-  CLI::App* verb = app.add_subcommand("figure", "Draw a figure for a paper as SVG or PDF");
+  CLI::App* verb = app.add_subcommand("figure", "Draw a figure for a paper as SVG, PDF or PNG");
   verb->add_option("results", arguments.results, "A result file (.results)")->required();
   CLI::Option_group* kind = verb->add_option_group("What is drawn");
+  CLI::Option* metric =
+      kind->add_option("--metric", arguments.metric, "This metric over the bins of --by");
+  complete_with(metric, [](const Words&) { return metric_ids(); });
+  kind->add_flag("--outcomes", arguments.outcomes, "The outcomes of each method as bars");
+  for (const auto& [name, id, help] :
+       {std::tuple{"--box", &arguments.box, "Quartiles of this metric for each method"},
+        {"--ecdf", &arguments.distribution, "The distribution of this metric for each method"}})
+    complete_with(kind->add_option(name, *id, help), [](const Words&) { return metric_ids(); });
+  kind->add_option("--scatter", arguments.scatter,
+                   "A point per run: two descriptors or metrics, X,Y");
   kind->add_option("--scenario", arguments.scenario,
                    "The runs in a scenario: its name or the first digits of its id");
   kind->add_option("--cell", arguments.cell,
@@ -163,6 +201,11 @@ void define_figure(CLI::App& app) {
   kind->add_option("--profile", arguments.profile, "Performance profiles of this metric");
   kind->add_option("--ranks", arguments.ranks, "Critical-difference diagram of this metric");
   kind->require_option(1);
+  complete_with(verb->add_option("--by", arguments.by,
+                                 "With --metric: bins of a descriptor, such as density:q4 or "
+                                 "density:0,0.1,0.2")
+                    ->needs(metric),
+                [](const Words&) { return descriptor_ids(); });
   verb->add_option("--method", arguments.method, "With --scenario or --cell: only this method");
   verb->add_option("--count", arguments.count, "With --cell: at most this number of scenarios")
       ->check(CLI::Range(1, 200))
@@ -174,7 +217,7 @@ void define_figure(CLI::App& app) {
       ->check(CLI::Range(16, 10000))
       ->capture_default_str();
   verb->add_option("-o,--output", arguments.output,
-                   "A .svg file, or .pdf (needs rsvg-convert of the package librsvg2-bin)")
+                   "A .svg file, or .pdf or .png (need rsvg-convert of the package librsvg2-bin)")
       ->required();
   verb->add_flag("--quiet", arguments.quiet, "No messages");
   verb->callback([] { run(arguments); });

@@ -15,9 +15,9 @@ namespace slalom {
 namespace {
 
 /// The exit status of rsvg-convert, or -1 if it was not started or did not exit.
-int convert_to_pdf(std::string svg, std::string pdf) {
-  std::array<std::string, 5> words = {"rsvg-convert", "--format=pdf", "--output", std::move(pdf),
-                                      std::move(svg)};
+int convert(const std::string& format, std::string svg, std::string output) {
+  std::array<std::string, 5> words = {"rsvg-convert", "--format=" + format, "--output",
+                                      std::move(output), std::move(svg)};
   std::array<char*, 6> arguments{};
   for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
   pid_t child = 0;
@@ -33,13 +33,14 @@ int convert_to_pdf(std::string svg, std::string pdf) {
 
 void write_figure(const std::string& svg, const std::string& path) {
   if (ends_with(path, ".svg")) return write_file_atomically(path, svg);
-  if (!ends_with(path, ".pdf")) throw usage_error("--output", "unknown format", ".svg or .pdf");
+  const std::string format = ends_with(path, ".pdf") ? "pdf" : ends_with(path, ".png") ? "png" : "";
+  if (format.empty()) throw usage_error("--output", "unknown format", ".svg, .pdf or .png");
   const TemporaryFile source(path, ".svg");
   write_file_atomically(source.name(), svg);
-  TemporaryFile pdf(path, ".pdf");
-  if (convert_to_pdf(source.name(), pdf.name()) != 0)
+  TemporaryFile converted(path, "." + format);
+  if (convert(format, source.name(), converted.name()) != 0)
     throw job_error(path, "rsvg-convert cannot be started or failed", "the package librsvg2-bin");
-  pdf.publish();
+  converted.publish();
 }
 
 }  // namespace slalom

@@ -167,11 +167,18 @@ TEST_F(Export, FiguresOfEachKindAreDrawn) {
   EXPECT_EQ(count(draw("--cell density:0,1 --count 3 --method gap"), "class=\"trajectory\""), 3U);
   EXPECT_EQ(count(draw("--animate " + hash + "/nd/0"), "<animateTransform"), 2U);
   EXPECT_EQ(count(draw("--profile path_length"), "<polyline"), 2U);
+  EXPECT_EQ(count(draw("--metric success --by density:0,0.05,1"), "<polyline"), 2U);
+  EXPECT_EQ(count(draw("--outcomes"), ">n = 4</text>"), 2U);
+  EXPECT_EQ(count(draw("--box path_length"), "stroke-width=\"1.5\""), 2U);
+  EXPECT_EQ(count(draw("--ecdf time_to_goal"), "<polyline"), 2U);
+  EXPECT_EQ(count(draw("--scatter density,path_length"), "<circle"), 8U);
   EXPECT_NE(draw("--ranks path_length").find("CD = "), std::string::npos);
 }
 
-TEST_F(Export, FiguresAsPdfAreThoseOfRsvgConvert) {
+TEST_F(Export, FiguresAsPdfAndPngAreThoseOfRsvgConvert) {
   if (!has_program("rsvg-convert")) GTEST_SKIP() << "needs the package librsvg2-bin";
+  EXPECT_EQ(run("slalom-analyze figure runs.results --outcomes -o a.png --quiet").status, 0);
+  EXPECT_EQ(read("a.png").substr(1, 3), "PNG");
   const ProgramResult result =
       run("slalom-analyze figure runs.results --ranks path_length -o figure.pdf --quiet");
   EXPECT_EQ(result.status, 0) << result.err;
@@ -182,7 +189,11 @@ TEST_F(Export, FiguresAsPdfAreThoseOfRsvgConvert) {
 TEST_F(Export, FiguresRejectInvalidArguments) {
   const std::string figure = "slalom-analyze figure runs.results ";
   expect_failure(figure + "-o x.svg", 2, {"--scenario"});
-  expect_failure(figure + "--ranks success -o x.png", 2, {"--output", ".svg or .pdf"});
+  expect_failure(figure + "--ranks success -o x.gif", 2, {"--output", ".svg, .pdf or .png"});
+  expect_failure(figure + "--metric success -o x.svg", 2, {"--metric success", "--by density:q4"});
+  expect_failure(figure + "--by density:q4 -o x.svg", 2, {"--by requires --metric"});
+  expect_failure(figure + "--metric success --by densty:q4 -o x.svg", 2, {"density"});
+  expect_failure(figure + "--scatter density -o x.svg", 2, {"--scatter", "X,Y"});
   expect_failure(figure + "--ranks sucess -o x.svg", 2, {"success"});
   expect_failure(figure + "--cell density:0,0.1,0.2 -o x.svg", 2, {"--cell", "LOW,HIGH"});
   expect_failure(figure + "--cell density:2,3 -o x.svg", 2, {"--cell", "no runs"});

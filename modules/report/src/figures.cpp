@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "svg_elements.h"
+
 #include <slalom/core/math.h>
 #include <slalom/report/figures.h>
 
@@ -10,27 +12,10 @@
 namespace slalom {
 namespace {
 
-constexpr double kMargin = 50;  // pixels, around a chart
-
-std::string document(double width, double height, const std::string& content) {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "width=\"{0:.0f}\" height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"12\">"
-      "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>{2}</svg>\n",
-      width, height, content);
-}
-
-std::string text(double x, double y, const char* anchor, const std::string& content) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", x, y, anchor,
-                     html_escape(content));
-}
-
-std::string segment(double x1, double y1, double x2, double y2, double width = 1,
-                    const std::string& color = "#333") {
-  return fmt::format(
-      "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\" stroke-width=\"{:.1f}\"/>", x1, y1,
-      x2, y2, color, width);
-}
+using svg::document;
+using svg::kMargin;
+using svg::segment;
+using svg::text;
 
 /// The area of a profile: ratios on a logarithmic axis, fractions upwards.
 class ProfileChart {

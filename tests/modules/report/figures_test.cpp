@@ -62,5 +62,84 @@ TEST(Figures, ScenariosAreInRowsWithTheirNames) {
   EXPECT_EQ(count(svg, ">three</text>"), 1U);
 }
 
+/// Runs of "a" with lengths 1, 2, 3, 4 and a failure, and of "b & c" with length 2.
+ResultTable lengths() {
+  ResultTable runs;
+  runs.methods = {"a", "b & c"};
+  runs.outcomes = {"success", "stuck"};
+  runs.scenario_hashes = {"0123", "4567"};
+  runs.scenario_names = {"s", "t"};
+  ValueColumn& length = runs.metrics.emplace_back(
+      QuantityInfo{"path_length", 1, "Path length", "m", Direction::Down});
+  ValueColumn& density =
+      runs.descriptors.emplace_back(QuantityInfo{"density", 1, "Density", "-", Direction::None});
+  for (const double value : {0.1, 0.3}) density.add_number(value);
+  const auto add = [&](std::uint32_t method, std::uint32_t scenario, double value) {
+    runs.method.push_back(method);
+    runs.scenario.push_back(scenario);
+    runs.repetition.push_back(static_cast<std::uint32_t>(runs.size()));
+    runs.outcome.push_back(value > 0 ? 0 : 1);
+    if (value > 0)
+      length.add_number(value);
+    else
+      length.add_na("stuck");
+  };
+  for (const double value : {1.0, 2.0, 3.0, 4.0}) add(0, 0, value);
+  add(0, 1, -1);
+  add(1, 1, 2);
+  add_success(runs);
+  return runs;
+}
+
+TEST(Figures, AMetricOverBinsIsALineThroughItsEstimates) {
+  ResultTable runs = lengths();
+  const auto tables =
+      build_cross_tables(runs, {parse_bin_spec("density:0,0.2,0.4")}, {"success"}, {});
+  const std::string svg = bins_figure(tables, tables.front().columns.front());
+  // Two bins, at 140 and 320; the lines of two methods 2.5 pixels to either side; 240 pixels from
+  // success 0 at y = 290 upwards. "a" succeeds in 4 of 4 and 0 of 1, "b & c" in 1 of 1.
+  EXPECT_EQ(count(svg, "points=\"137.5,50.0 317.5,290.0 \""), 1U) << svg;
+  EXPECT_EQ(count(svg, "points=\"322.5,50.0 \""), 1U) << svg;
+  EXPECT_EQ(count(svg, ">[0, 0.2)</text>"), 1U);
+  EXPECT_EQ(count(svg, "<circle"), 3U);
+  EXPECT_EQ(count(svg, ">b &amp; c</text>"), 1U);
+}
+
+TEST(Figures, OutcomesAreShares) {
+  const std::string svg = outcome_figure(build_summary(lengths(), {"success"}, {}));
+  // 360 pixels: 4 of 5 runs of "a" succeed.
+  EXPECT_EQ(count(svg, "width=\"288.0\" height=\"16\""), 1U) << svg;
+  EXPECT_EQ(count(svg, "width=\"72.0\" height=\"16\""), 1U);
+  EXPECT_EQ(count(svg, ">n = 5</text>"), 1U);
+}
+
+TEST(Figures, BoxesAreQuartilesOfTheRunsWithAValue) {
+  const std::string svg = box_figure(lengths(), "path_length");
+  // The axis is from 1 - 0.09 to 4 + 0.09 m in 240 pixels; quartiles 1.75 and 3.25, median 2.5.
+  const auto y = [](double value) { return 290 - 240 * (value - 0.91) / 3.18; };
+  char box[80];
+  std::snprintf(box, sizeof box, "y=\"%.1f\" width=\"28.0\" height=\"%.1f\"", y(3.25),
+                y(1.75) - y(3.25));
+  EXPECT_EQ(count(svg, box), 1U) << box << " in " << svg;
+  EXPECT_EQ(count(svg, ">a (n = 4 of 5)</text>"), 1U);
+  EXPECT_EQ(count(svg, ">2</text>"), 1U);
+  EXPECT_THROW(box_figure(lengths(), "path_lenght"), Error);
+}
+
+TEST(Figures, ADistributionCountsRunsWithoutAValueAsLarger) {
+  const std::string svg = distribution_figure(lengths(), "path_length");
+  // 4 of 5 runs of "a" have a length: the curve ends at 0.8, 192 pixels up.
+  EXPECT_EQ(count(svg, "410.0,98.0\""), 1U) << svg;
+  EXPECT_EQ(count(svg, "410.0,50.0\""), 1U) << "all of b & c";
+}
+
+TEST(Figures, AScatterHasAPointForEachRunWithBothValues) {
+  const std::string svg = scatter_figure(lengths(), "density", "path_length");
+  EXPECT_EQ(count(svg, "<circle"), 5U) << svg;
+  EXPECT_EQ(count(svg, ">Path length [m]</text>"), 1U);
+  EXPECT_EQ(count(svg, ">-0</text>"), 0U);
+  EXPECT_THROW(scatter_figure(lengths(), "densty", "path_length"), Error);
+}
+
 }  // namespace
 }  // namespace slalom

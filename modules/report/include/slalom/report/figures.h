@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/performance_profile.h>
+#include <slalom/analysis/summary.h>
 #include <slalom/io/svg_scene.h>
 
 #include <string>
@@ -19,6 +21,25 @@ std::string profile_figure(const ProfileTable& table);
 /// A critical-difference diagram (Demsar 2006): methods at their mean ranks, best on the left; bars
 /// join groups that do not differ by the critical difference.
 std::string rank_figure(const MethodRanks& ranks);
+
+/// A metric over the bins of a descriptor, one specification of build_cross_tables(): a line per
+/// method through its estimates, with their intervals.
+std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column);
+
+/// A bar per method, divided by the outcomes of its runs, success first.
+std::string outcome_figure(const SummaryTable& summary);
+
+/// A box per method: quartiles, median, and whiskers to the 5 % and 95 % quantiles, with the number
+/// of runs that have a value. Throws Error (Usage) for an unknown metric.
+std::string box_figure(const ResultTable& runs, const std::string& metric);
+
+/// Per method the share of its runs with at most that value; runs without a value count as larger.
+/// Throws Error (Usage) for an unknown metric.
+std::string distribution_figure(const ResultTable& runs, const std::string& metric);
+
+/// A point per run that has both values, descriptors or metrics. Throws Error (Usage) for unknown
+/// ids.
+std::string scatter_figure(const ResultTable& runs, const std::string& x, const std::string& y);
 
 /// A scenario with runs in it.
 struct ScenarioFigure {

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "svg_elements.h"
+
+#include <slalom/analysis/quantile.h>
+#include <slalom/report/figures.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using svg::document;
+using svg::kMargin;
+using svg::segment;
+using svg::text;
+
+constexpr double kWidth = 360, kHeight = 240, kLegend = 180, kLine = 18;  // pixels
+
+/// The values between the ends of an axis.
+struct Axis {
+  double low = 0, high = 1;
+
+  double part(double value) const { return (value - low) / (high - low); }
+
+  /// About five round numbers: 1, 2 or 5 times a power of ten apart.
+  std::vector<double> ticks() const {
+    const double raw = (high - low) / 5;
+    double power = 1;
+    while (power > raw) power /= 10;
+    while (10 * power <= raw) power *= 10;
+    double step = 10 * power;
+    for (const double factor : {5.0, 2.0, 1.0})
+      if (raw <= factor * power) step = factor * power;
+    std::vector<double> found;
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
+      found.push_back(k * step + 0.0);  // no negative zero
+    return found;
+  }
+};
+
+/// The axis of values: that of the range of a rate, else from the least to the largest.
+Axis axis_of(const QuantityInfo& info, const std::vector<double>& values) {
+  if (info.kind == QuantityKind::Rate || values.empty()) return {};
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  if (*low == *high) return {*low - 0.5, *high + 0.5};
+  const double margin = 0.03 * (*high - *low);
+  return {*low == 0 ? 0 : *low - margin, *high + margin};
+}
+
+std::string label_of(const QuantityInfo& info) {
+  return info.name + (info.unit == "-" || info.unit.empty() ? "" : " [" + info.unit + "]");
+}
+
+double x_at(double part) {
+  return kMargin + kWidth * part;
+}
+double y_at(double part) {
+  return kMargin + kHeight * (1 - part);
+}
+
+std::string frame(const std::string& x_label, const std::string& y_label) {
+  return segment(x_at(0), y_at(0), x_at(1), y_at(0)) + segment(x_at(0), y_at(0), x_at(0), y_at(1)) +
+         text(x_at(0.5), y_at(0) + 36, "middle", x_label) +
+         text(10, kMargin - 16, "start", y_label);
+}
+
+std::string x_ticks(const Axis& axis) {
+  std::string content;
+  for (const double value : axis.ticks())
+    content += segment(x_at(axis.part(value)), y_at(0), x_at(axis.part(value)), y_at(0) + 5) +
+               text(x_at(axis.part(value)), y_at(0) + 18, "middle", fmt::format("{:.3g}", value));
+  return content;
+}
+
+std::string y_ticks(const Axis& axis) {
+  std::string content;
+  for (const double value : axis.ticks())
+    content += segment(x_at(0) - 5, y_at(axis.part(value)), x_at(0), y_at(axis.part(value))) +
+               text(x_at(0) - 8, y_at(axis.part(value)) + 4, "end", fmt::format("{:.3g}", value));
+  return content;
+}
+
+std::string legend(std::size_t index, const std::string& name, const std::string& color) {
+  const double left = x_at(1) + 15, top = kMargin + kLine * static_cast<double>(index);
+  return segment(left, top, left + 20, top, 3, color) + text(left + 26, top + 4, "start", name);
+}
+
+std::string chart(const std::string& content, std::size_t legends) {
+  const double lines = kMargin + kLine * static_cast<double>(legends);
+  return document(x_at(1) + kLegend, std::max(kHeight + 2 * kMargin, lines), content);
+}
+
+std::string polyline(const std::string& points, const std::string& color) {
+  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>",
+                     points, color);
+}
+
+std::string point(double x, double y, double radius, const std::string& color, double opacity = 1) {
+  return fmt::format(
+      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" fill-opacity=\"{:.2f}\"/>", x,
+      y, radius, color, opacity);
+}
+
+/// The colors of outcomes in reports.
+std::string outcome_color(const std::string& outcome) {
+  if (outcome == "success") return "#11703f";
+  if (outcome == "collision") return "#b8231a";
+  if (outcome == "left_workspace") return "#a3195b";
+  if (outcome == "timeout") return "#855300";
+  if (outcome == "stuck") return "#34518f";
+  return outcome.rfind("method_", 0) == 0 ? "#7a3fb0" : "#5b6472";
+}
+
+/// The values of a method's runs, ascending, and how many runs it has.
+struct MethodValues {
+  std::vector<double> values;
+  std::size_t runs = 0;
+};
+
+std::vector<MethodValues> values_by_method(const ResultTable& runs, const RunValues& values) {
+  std::vector<MethodValues> by_method(runs.methods.size());
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    MethodValues& method = by_method[runs.method[run]];
+    ++method.runs;
+    if (!values.is_na(run)) method.values.push_back(values(run));
+  }
+  for (MethodValues& method : by_method) std::sort(method.values.begin(), method.values.end());
+  return by_method;
+}
+
+std::vector<double> all_of(const std::vector<MethodValues>& methods) {
+  std::vector<double> all;
+  for (const MethodValues& method : methods)
+    all.insert(all.end(), method.values.begin(), method.values.end());
+  return all;
+}
+
+}  // namespace
+
+std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column) {
+  std::vector<double> ends;
+  const auto cell_of = [&](const CrossTable& table, const CrossRow& row) -> const Cell* {
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      if (table.columns[i].info.id == column.info.id && row.cells[i].estimate) return &row.cells[i];
+    return nullptr;
+  };
+  for (const CrossTable& table : tables)
+    for (const CrossRow& row : table.rows)
+      if (const Cell* cell = cell_of(table, row)) {
+        ends.push_back(*cell->estimate);
+        if (cell->interval) ends.insert(ends.end(), {cell->interval->low, cell->interval->high});
+      }
+  const Axis axis = axis_of(column.info, ends);
+  const std::size_t bins = tables.empty() ? 0 : tables.front().rows.size();
+  const auto x_of = [&](std::size_t bin) {
+    return x_at((static_cast<double>(bin) + 0.5) / static_cast<double>(bins));
+  };
+  std::string content =
+      frame(tables.empty() ? "" : label_of(tables.front().descriptor), label_of(column.info)) +
+      y_ticks(axis);
+  for (std::size_t bin = 0; bin < bins; ++bin)
+    content += text(x_of(bin), y_at(0) + 18, "middle", tables.front().rows[bin].bin.label());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    // Beside each other, so that intervals do not hide each other.
+    const double shift = 5 * (static_cast<double>(i) - static_cast<double>(tables.size() - 1) / 2);
+    const std::string color = method_color(i);
+    std::string points, marks;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      const Cell* const cell = cell_of(tables[i], tables[i].rows[bin]);
+      if (cell == nullptr) continue;
+      const double x = x_of(bin) + shift, y = y_at(axis.part(*cell->estimate));
+      points += fmt::format("{:.1f},{:.1f} ", x, y);
+      marks += point(x, y, 3, color);
+      if (cell->interval)
+        marks += segment(x, y_at(axis.part(cell->interval->low)), x,
+                         y_at(axis.part(cell->interval->high)), 1.2, color);
+    }
+    content += polyline(points, color) + marks + legend(i, tables[i].method, color);
+  }
+  return chart(content, tables.size());
+}
+
+std::string outcome_figure(const SummaryTable& summary) {
+  constexpr double kBar = 16, kNames = 110;
+  std::string content;
+  const double left = kNames, bottom = kMargin + 26 * static_cast<double>(summary.methods.size());
+  for (std::size_t i = 0; i < summary.methods.size(); ++i) {
+    const MethodSummary& method = summary.methods[i];
+    const double top = kMargin + 26 * static_cast<double>(i);
+    content += text(left - 8, top + 12, "end", method.method);
+    double done = 0;
+    for (const std::string& outcome : summary.outcomes) {
+      const auto found = method.outcomes.find(outcome);
+      if (found == method.outcomes.end()) continue;
+      const double part = static_cast<double>(found->second) / static_cast<double>(method.n);
+      content += fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.0f}\" fill=\"{}\"/>",
+          left + kWidth * done, top, kWidth * part, kBar, outcome_color(outcome));
+      done += part;
+    }
+    content += text(left + kWidth + 6, top + 12, "start", fmt::format("n = {}", method.n));
+  }
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
+    content += segment(left + kWidth * part, bottom, left + kWidth * part, bottom + 5) +
+               text(left + kWidth * part, bottom + 18, "middle", fmt::format("{:g}", part));
+  double at = left;
+  for (const std::string& outcome : summary.outcomes) {
+    content += segment(at, 24, at + 14, 24, 8, outcome_color(outcome)) +
+               text(at + 18, 28, "start", outcome);
+    at += 30 + 7 * static_cast<double>(outcome.size());
+  }
+  return document(std::max(left + kWidth + 80, at), bottom + 30, content);
+}
+
+std::string box_figure(const ResultTable& runs, const std::string& metric) {
+  const RunValues values(runs, metric);
+  const std::vector<MethodValues> methods = values_by_method(runs, values);
+  const Axis axis = axis_of(values.info(), all_of(methods));
+  const auto y_of = [&](double value) { return y_at(axis.part(value)); };
+  std::string content = frame("", label_of(values.info())) + y_ticks(axis);
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(methods.size()),
+                 x = x_at(part),
+                 half = std::min(14.0, 0.3 * kWidth / static_cast<double>(methods.size()));
+    const std::string color = method_color(i);
+    content += legend(i,
+                      fmt::format("{} (n = {} of {})", runs.methods[i], methods[i].values.size(),
+                                  methods[i].runs),
+                      color);
+    if (methods[i].values.empty()) continue;
+    const auto at = [&](double fraction) { return y_of(quantile(methods[i].values, fraction)); };
+    content += segment(x, at(0.05), x, at(0.95), 1.2, color) +
+               fmt::format(
+                   "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+                   "fill=\"#fff\" stroke=\"{}\" stroke-width=\"1.5\"/>",
+                   x - half, at(0.75), 2 * half, at(0.25) - at(0.75), color) +
+               segment(x - half, at(0.5), x + half, at(0.5), 2.5, color);
+  }
+  return chart(content, methods.size());
+}
+
+std::string distribution_figure(const ResultTable& runs, const std::string& metric) {
+  const RunValues values(runs, metric);
+  const std::vector<MethodValues> methods = values_by_method(runs, values);
+  const Axis axis = axis_of({values.info().id, 1, "", "", Direction::None}, all_of(methods));
+  std::string content =
+      frame(label_of(values.info()), "share of runs") + x_ticks(axis) + y_ticks({});
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    std::string points = fmt::format("{:.1f},{:.1f} ", x_at(0), y_at(0));
+    double share = 0;
+    for (std::size_t k = 0; k < methods[i].values.size(); ++k) {
+      const double x = x_at(axis.part(methods[i].values[k]));
+      points += fmt::format("{:.1f},{:.1f} ", x, y_at(share));
+      share = static_cast<double>(k + 1) / static_cast<double>(methods[i].runs);
+      points += fmt::format("{:.1f},{:.1f} ", x, y_at(share));
+    }
+    points += fmt::format("{:.1f},{:.1f}", x_at(1), y_at(share));
+    content += polyline(points, method_color(i)) + legend(i, runs.methods[i], method_color(i));
+  }
+  return chart(content, methods.size());
+}
+
+std::string scatter_figure(const ResultTable& runs, const std::string& x, const std::string& y) {
+  const RunValues horizontal(runs, x), vertical(runs, y);
+  std::vector<double> xs, ys;
+  for (std::size_t run = 0; run < runs.size(); ++run)
+    if (!horizontal.is_na(run) && !vertical.is_na(run)) {
+      xs.push_back(horizontal(run));
+      ys.push_back(vertical(run));
+    }
+  const Axis x_axis = axis_of(horizontal.info(), xs), y_axis = axis_of(vertical.info(), ys);
+  std::string content = frame(label_of(horizontal.info()), label_of(vertical.info())) +
+                        x_ticks(x_axis) + y_ticks(y_axis);
+  for (std::size_t run = 0; run < runs.size(); ++run)
+    if (!horizontal.is_na(run) && !vertical.is_na(run))
+      content += point(x_at(x_axis.part(horizontal(run))), y_at(y_axis.part(vertical(run))), 2.5,
+                       method_color(runs.method[run]), 0.55);
+  for (std::size_t i = 0; i < runs.methods.size(); ++i)
+    content += legend(i, runs.methods[i], method_color(i));
+  return chart(content, runs.methods.size());
+}
+
+}  // namespace slalom
