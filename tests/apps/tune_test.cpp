@@ -176,6 +176,16 @@ TEST_F(Tune, KeepsTheDefaultWhereNoOptionMatters) {
   EXPECT_EQ(found.at("verdict"), "not shown");
   EXPECT_EQ(found.at("recommendation"), found.at("default"));
   EXPECT_EQ(found.at("recommendation"), Json({{"b", "3"}}));
+  EXPECT_EQ(result.out.find("front"), std::string::npos);
+  const ProgramResult front = run(null_ + "--set method.planted.a=0.7 --front -o front");
+  EXPECT_NE(front.out.find("front: finalists that no other one beats in both success and time"),
+            std::string::npos)
+      << front.out;
+  // All arrive in the same time.
+  const Json all = answer("front").at("front");
+  ASSERT_GE(all.size(), 2U);
+  for (const Json& one : all) EXPECT_EQ(one.at("minus_winner"), 0);
+  EXPECT_EQ(all.at(0).at("common_successes"), all.at(0).at("finals").at("runs"));
   expect_failure(null_ + "--set method.planted.a=0.7 --require -o out2", 1,
                  {"--require: ", "not shown"});
 }

@@ -44,6 +44,8 @@ class TuneQuestion : public Question {
   TuneOutcome outcome_of(const BlockRun& run) const;
   TuneResult search(const MethodCampaign& campaign, const TuneScenarios& sets,
                     BlockRunner& runner) const;
+  Json front_json(const TuneResult& result) const;
+  StatementTable front_table(const Json& answer) const;
   SealedOptions sealed_options() const;
   Json sealed_answer(const MethodCampaign& campaign, const TuneScenarios& sets,
                      const TuneResult& result, BlockRunner& runner) const;
@@ -52,7 +54,7 @@ class TuneQuestion : public Question {
   std::size_t sealed_ = 400;
   double effect_ = 0.1;
   std::string stratify_ = "density", then_ = "time_to_goal";
-  bool require_ = false;
+  bool front_ = false, require_ = false;
   std::optional<ParameterSpace> space_;  ///< since check()
   bool less_is_better_ = true;           ///< of the metric
 };
@@ -70,6 +72,8 @@ std::vector<QuestionField> TuneQuestion::fields() {
       {"stratify", &stratify_,
        "Descriptor of which each part of the development scenarios has all quarters"},
       {"then", &then_, "Metric that decides among finalists that do not differ in success"},
+      {"front", &front_,
+       "Also the finalists that no other one beats in both success and the metric of --then"},
       {"require", &require_, "Exit status 1 unless the tuned options are shown to be better", false,
        false}};
 }
@@ -280,6 +284,20 @@ Json equals_json(const ParameterSpace& space, const TuneResult& result, double c
       {"compared", equals.compared}, {"equal", equals.candidates.size() - 1}, {"options", options}};
 }
 
+Json TuneQuestion::front_json(const TuneResult& result) const {
+  Json front = Json::array();
+  for (const FrontPoint& point : front_of(result)) {
+    const TuneCandidate& one = result.candidates[point.candidate];
+    const double difference = less_is_better_ ? point.minus_winner : 0 - point.minus_winner;
+    front.push_back({{"configuration", point.candidate},
+                     {"finals", to_json(counts_of(one.finals))},
+                     {"minus_winner", six_digits(difference)},
+                     {"common_successes", point.common},
+                     {"options", to_json(options_of(*space_, one.configuration))}});
+  }
+  return front;
+}
+
 Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) const {
   const TuneScenarios sets = make_tune_scenarios(
       campaign, {search_.development, search_.finals, sealed_, stratify_, runner.workers()});
@@ -290,27 +308,30 @@ Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) c
       result.keeps_default() ? Json() : sealed_answer(campaign, sets, result, runner);
   const bool better = !sealed.is_null() && sealed.at("verdict") == "better";
   const bool recommended = better && !sealed.at("more_collisions").get<bool>();
-  return {{"verdict", better ? "better" : "not shown"},
-          {"default", to_json(options_of(*space_, standard.configuration))},
-          {"winner", to_json(options_of(*space_, winner.configuration))},
-          {"keeps_default", result.keeps_default()},
-          {"recommendation", to_json(options_of(*space_, recommended ? winner.configuration
-                                                                     : standard.configuration))},
-          {"configurations", result.candidates.size()},
-          {"search_runs", result.runs(TunePhase::Development) + result.runs(TunePhase::Finals)},
-          {"development",
-           {{"winner", to_json(counts_of(winner.development))},
-            {"default", to_json(counts_of(standard.development))}}},
-          {"finals",
-           {{"winner", to_json(counts_of(winner.finals))},
-            {"default", to_json(counts_of(standard.finals))}}},
-          {"not_told_apart", equals_json(*space_, result, search_.confidence)},
-          {"sealed", sealed},
-          {"sealed_hash", hash_of(*sets.sealed)},
-          {"effects", effects_json(*space_, result, search_.confidence)},
-          {"resolution", campaign.options.simulation.resolution},
-          {"seed", campaign.options.seed},
-          {"outcomes", runner.hash_all("tune/")}};
+  Json answer = {
+      {"verdict", better ? "better" : "not shown"},
+      {"default", to_json(options_of(*space_, standard.configuration))},
+      {"winner", to_json(options_of(*space_, winner.configuration))},
+      {"keeps_default", result.keeps_default()},
+      {"recommendation",
+       to_json(options_of(*space_, recommended ? winner.configuration : standard.configuration))},
+      {"configurations", result.candidates.size()},
+      {"search_runs", result.runs(TunePhase::Development) + result.runs(TunePhase::Finals)},
+      {"development",
+       {{"winner", to_json(counts_of(winner.development))},
+        {"default", to_json(counts_of(standard.development))}}},
+      {"finals",
+       {{"winner", to_json(counts_of(winner.finals))},
+        {"default", to_json(counts_of(standard.finals))}}},
+      {"not_told_apart", equals_json(*space_, result, search_.confidence)},
+      {"sealed", sealed},
+      {"sealed_hash", hash_of(*sets.sealed)},
+      {"effects", effects_json(*space_, result, search_.confidence)},
+      {"resolution", campaign.options.simulation.resolution},
+      {"seed", campaign.options.seed},
+      {"outcomes", runner.hash_all("tune/")}};
+  if (front_) answer["front"] = front_json(result);
+  return answer;
 }
 
 std::string TuneQuestion::shortfall(const Json& answer) const {
@@ -400,6 +421,27 @@ StatementTable effects_table(const Json& answer) {
   return table;
 }
 
+/// The configurations are columns: there are at most six, but any number of options.
+StatementTable TuneQuestion::front_table(const Json& answer) const {
+  StatementTable table{"front: finalists that no other one beats in both success and " + then_,
+                       "l",
+                       {"configuration"},
+                       {{"success"}, {then_ + " - winner's"}, {"in"}, {"collisions"}}};
+  for (const auto& [option, unused] : answer.at("default").items()) table.rows.push_back({option});
+  for (const Json& one : answer.at("front")) {
+    const Json &options = one.at("options"), &finals = one.at("finals");
+    std::vector<std::string> column = {counts_text(finals), two_digits(one.at("minus_winner")),
+                                       one.at("common_successes").dump(), collisions_text(finals)};
+    for (const auto& [option, value] : options.items()) column.push_back(value);
+    table.alignment += 'r';
+    table.header.push_back(options == answer.at("winner")    ? "winner"
+                           : options == answer.at("default") ? "default"
+                                                             : one.at("configuration").dump());
+    for (std::size_t i = 0; i < column.size(); ++i) table.rows[i].push_back(column[i]);
+  }
+  return table;
+}
+
 Statement TuneQuestion::statement(const Json& answer) const {
   Statement statement;
   statement.title = "tuning of " + method + ", confidence " + format_number(search_.confidence);
@@ -434,6 +476,7 @@ Statement TuneQuestion::statement(const Json& answer) const {
                                    " of the runs");
     statement.parts.emplace_back("optimism of the finals: " + estimate_text(sealed.at("optimism")));
   }
+  if (answer.contains("front")) statement.parts.emplace_back(front_table(answer));
   statement.parts.emplace_back(effects_table(answer));
   return statement;
 }

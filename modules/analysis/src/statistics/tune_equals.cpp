@@ -16,6 +16,19 @@ std::size_t last_rung(const TuneResult& result) {
                                 [&](std::size_t a, std::size_t b) { return runs(a) < runs(b); }));
 }
 
+/// The point of `a`, compared with `b` instead of the winner.
+FrontPoint compare(const TuneResult& result, std::size_t a, std::size_t b) {
+  const auto &finals = result.candidates[a].finals, &others = result.candidates[b].finals;
+  FrontPoint point{a};
+  for (std::size_t i = 0; i < finals.size(); ++i) {
+    const TuneOutcome &one = finals[i], &other = others[i];
+    if (!one.success || !other.success || !one.secondary || !other.secondary) continue;
+    const double difference = *one.secondary - *other.secondary;
+    point.minus_winner += (difference - point.minus_winner) / static_cast<double>(++point.common);
+  }
+  return point;
+}
+
 }  // namespace
 
 TuneEquals equals_of_winner(const TuneResult& result, double confidence) {
@@ -37,6 +50,19 @@ TuneEquals equals_of_winner(const TuneResult& result, double confidence) {
   for (std::size_t i = 0; i < others.size(); ++i)
     if (adjusted[i] > test_level(confidence)) equals.candidates.push_back(others[i]);
   return equals;
+}
+
+std::vector<FrontPoint> front_of(const TuneResult& result) {
+  std::vector<FrontPoint> front;
+  for (const std::size_t b : result.finalists)
+    if (std::none_of(result.finalists.begin(), result.finalists.end(), [&](std::size_t a) {
+          const double more = counts_of(result.candidates[a].finals).rate() -
+                              counts_of(result.candidates[b].finals).rate();
+          const double difference = compare(result, a, b).minus_winner;
+          return more >= 0 && difference <= 0 && (more > 0 || difference < 0);
+        }))
+      front.push_back(compare(result, b, result.winner));
+  return front;
 }
 
 }  // namespace slalom

@@ -57,5 +57,25 @@ TEST(TuneEquals, AreFinalistsOnlyIfTheWinnerIsNotOfTheLastRung) {
   EXPECT_EQ(equals.candidates, (std::vector<std::size_t>{0}));
 }
 
+TEST(TuneEquals, FrontHasWhatNoOtherFinalistBeatsInSuccessAndTheMetricOfCommonScenarios) {
+  // Succeeds in ten scenarios but the first ones, each in the time of its number and `more`.
+  const auto finalist = [](std::size_t failures, double more) {
+    TuneCandidate candidate{{}, {}, outcomes(10, failures)};
+    for (std::size_t i = failures; i < 10; ++i)
+      candidate.finals[i].secondary = static_cast<double>(i) + more;
+    return candidate;
+  };
+  // The means of all their runs, 4.5, 5 and 7, would have the first one beat the third, which is
+  // faster where both succeed.
+  TuneResult result;
+  result.candidates = {finalist(0, 0), finalist(1, 0), finalist(6, -1), finalist(10, 0)};
+  result.finalists = {0, 1, 2, 3};
+  const std::vector<FrontPoint> front = front_of(result);
+  ASSERT_EQ(front.size(), 2U);
+  EXPECT_EQ(front[1].candidate, 2U);
+  EXPECT_EQ(front[1].minus_winner, -1);
+  EXPECT_EQ(front[1].common, 4U);
+}
+
 }  // namespace
 }  // namespace slalom

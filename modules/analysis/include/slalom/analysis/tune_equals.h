@@ -19,4 +19,14 @@ struct TuneEquals {
 /// there: McNemar's exact tests of pairs at 1 - confidence, with Holm's adjustment over all.
 TuneEquals equals_of_winner(const TuneResult& result, double confidence);
 
+struct FrontPoint {
+  std::size_t candidate = 0;
+  std::size_t common = 0;   ///< finals in which it and the winner succeed with secondary values
+  double minus_winner = 0;  ///< mean difference of these; 0 without
+};
+
+/// The finalists of a complete search that no other one dominates, in their order: none has as many
+/// successes and secondary values as small, where both succeed, and one of them better.
+std::vector<FrontPoint> front_of(const TuneResult& result);
+
 }  // namespace slalom
