@@ -41,9 +41,16 @@ struct ExportData {
   }
 };
 
+/// Whether the output is one file by its name, with the table of runs.
+bool is_one_file(const std::string& output, const char* ending) {
+  return ends_with(output, ending) && !std::filesystem::is_directory(output);
+}
+
 /// Writes one file per table into a folder.
-void write_folder(const ExportData& data, const std::string& folder, const char* ending,
+void write_tables(const ExportData& data, const std::string& folder, const char* ending,
                   std::string (*render)(const DataTable&)) {
+  if (is_one_file(folder, ending))
+    return write_file_atomically(folder, render(runs_table(data.results)));
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
@@ -58,11 +65,11 @@ void write_folder(const ExportData& data, const std::string& folder, const char*
 }
 
 void write_csv(const ExportData& data, const std::string& output) {
-  write_folder(data, output, ".csv", render_csv);
+  write_tables(data, output, ".csv", render_csv);
 }
 
 void write_json(const ExportData& data, const std::string& output) {
-  write_folder(data, output, ".json", render_json);
+  write_tables(data, output, ".json", render_json);
 }
 
 void write_xlsx(const ExportData& data, const std::string& output) {
@@ -81,29 +88,29 @@ void write_plannerarena(const ExportData& data, const std::string& output) {
 
 struct Format {
   const char* name;
-  const char* extension;  ///< of the file; empty: a folder
+  const char* extension;  ///< of the file
+  bool may_be_folder;     ///< without the extension
   void (*write)(const ExportData& data, const std::string& output);
 };
 
 /// All formats; add new ones here.
 constexpr Format kFormats[] = {
-    {"csv", "", write_csv},
-    {"json", "", write_json},
-    {"xlsx", ".xlsx", write_xlsx},
-    {"latex", ".tex", write_latex},
-    {"plannerarena", ".db", write_plannerarena},
+    {"csv", ".csv", true, write_csv},
+    {"json", ".json", true, write_json},
+    {"xlsx", ".xlsx", false, write_xlsx},
+    {"latex", ".tex", false, write_latex},
+    {"plannerarena", ".db", false, write_plannerarena},
 };
 
 /// The given format, or that of the output's extension.
 const Format& format_of(const ExportArguments& arguments) {
   for (const Format& format : kFormats) {
-    const bool is_file = format.extension[0] != '\0';
-    const bool is_meant = arguments.format.empty() && is_file;
     if (arguments.format == format.name) return format;
-    if (is_meant && ends_with(arguments.output, format.extension)) return format;
+    if (arguments.format.empty() && ends_with(arguments.output, format.extension)) return format;
   }
-  throw usage_error("-o " + arguments.output, "its name does not tell the format",
-                    "a file .xlsx, .tex or .db, or --format, as csv or json for a folder");
+  throw usage_error(
+      "-o " + arguments.output, "its name does not tell the format",
+      "a file .csv, .json, .xlsx, .tex or .db, or --format, as csv or json for a folder");
 }
 
 void run(const ExportArguments& arguments) {
@@ -119,7 +126,7 @@ void run(const ExportArguments& arguments) {
       build_cross_tables(data.results, options.rows, options.columns, options.analysis);
   data.results.methods = names;  // those of the tables of runs, which are the data
   format.write(data, arguments.output);
-  const bool is_folder = format.extension[0] == '\0';
+  const bool is_folder = format.may_be_folder && !is_one_file(arguments.output, format.extension);
   if (!arguments.quiet)
     std::cerr << arguments.output << (is_folder ? ": folder written\n" : ": written\n");
 }
@@ -134,10 +141,11 @@ void define_export(CLI::App& app) {
       ->required();
   std::vector<std::string> names;
   for (const Format& format : kFormats) names.emplace_back(format.name);
-  verb->add_option("--format", arguments.format,
-                   "csv or json (a folder with a file per table), xlsx, latex, or plannerarena (a "
-                   "database for OMPL's Planner Arena); default: by the output's name, .xlsx, .tex "
-                   "or .db")
+  verb->add_option(
+          "--format", arguments.format,
+          "csv or json (a folder with a file per table; the runs if the output is a .csv or "
+          ".json), xlsx, latex, or plannerarena (a database for OMPL's Planner Arena); "
+          "default: by the output's name, .csv, .json, .xlsx, .tex or .db")
       ->check(CLI::IsMember(names));
   verb->add_option("-o,--output", arguments.output, "File or folder to write")->required();
   verb->add_flag("--quiet", arguments.quiet, "No messages");

@@ -45,10 +45,10 @@ std::string latex_confidence_text(double confidence) {
 std::string latex_tabular(const std::string& caption, const std::vector<std::string>& header,
                           const std::vector<std::vector<std::string>>& rows) {
   std::string text = "\\begin{table}\n\\centering\n\\caption{" + caption + "}\n\\begin{tabular}{l" +
-                     std::string(header.size() - 1, 'r') + "}\n\\hline\n" + line_of(header) +
-                     "\\hline\n";
+                     std::string(header.size() - 1, 'r') + "}\n\\toprule\n" + line_of(header) +
+                     "\\midrule\n";
   for (const auto& row : rows) text += line_of(row);
-  return text + "\\hline\n\\end{tabular}\n\\end{table}\n";
+  return text + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
 }
 
 std::string render_latex(const SummaryTable& table) {
@@ -81,8 +81,10 @@ std::string render_latex(const CrossTable& table) {
 }
 
 std::string latex_document(const std::vector<std::string>& tables) {
-  return "\\documentclass{article}\n\\begin{document}\n" + join(tables, "\n\\clearpage\n") +
-         "\\end{document}\n";
+  return "\\documentclass{article}\n\\IfFileExists{booktabs.sty}{\\usepackage{booktabs}}{"
+         "\\let\\toprule\\hline\\let\\midrule\\hline\\let\\bottomrule\\hline}\n"
+         "\\begin{document}\n" +
+         join(tables, "\n\\clearpage\n") + "\\end{document}\n";
 }
 
 std::string latex_text(const std::string& text) {

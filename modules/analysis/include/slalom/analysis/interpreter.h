@@ -72,7 +72,8 @@ std::string render_json(const Interpretation& interpretation);
 /// The tables as CSV, separated by empty lines; a footnote is a table of its own, the last one.
 std::string render_csv(const Interpretation& interpretation);
 
-/// The tables as a LaTeX document, as render_text() shows them; requires no packages.
+/// The tables as a LaTeX document, as render_text() shows them, with the rules of booktabs if
+/// that package is there.
 std::string render_latex(const Interpretation& interpretation);
 /// Address that a field of a table leads to, given the name of its column; empty for plain text.
 using FieldAddress =

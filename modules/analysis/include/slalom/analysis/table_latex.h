@@ -10,8 +10,8 @@
 namespace slalom {
 
 /// Tables for a paper: `tabular` environments inside `table`, each cell "0.95 [0.94, 0.96]", with
-/// the number of runs, missing values and the confidence in the caption. They require no packages;
-/// names of methods and metrics are escaped.
+/// the number of runs, missing values and the confidence in the caption. Their rules are those of
+/// the package booktabs; names of methods and metrics are escaped.
 std::string render_latex(const SummaryTable& table);
 std::string render_latex(const CrossTable& table);
 
@@ -19,7 +19,7 @@ std::string render_latex(const CrossTable& table);
 std::string latex_tabular(const std::string& caption, const std::vector<std::string>& header,
                           const std::vector<std::vector<std::string>>& rows);
 
-/// A standalone document with these tables.
+/// A standalone document with these tables; without booktabs their rules are plain lines.
 std::string latex_document(const std::vector<std::string>& tables);
 
 /// `text` with LaTeX's special characters escaped, and non-ASCII characters removed.
