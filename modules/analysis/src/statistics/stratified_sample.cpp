@@ -10,8 +10,8 @@ namespace slalom {
 namespace {
 
 /// The rate by Laplace's rule, which is neither 0 nor 1.
-double cautious_rate(std::size_t successes, std::size_t n) {
-  return (static_cast<double>(successes) + 1) / (static_cast<double>(n) + 2);
+double cautious_rate(double successes, std::size_t n) {
+  return (successes + 1) / (static_cast<double>(n) + 2);
 }
 
 std::size_t total_of(const Allocation& allocation) {
@@ -80,7 +80,7 @@ Allocation neyman_allocation(const Strata& strata, const Allocation& first,
   for (std::size_t i = 0; i < strata.size(); ++i) {
     double variance = 0;
     for (const auto& method : successes) {
-      const double rate = cautious_rate(method[i], first[i]);
+      const double rate = cautious_rate(static_cast<double>(method[i]), first[i]);
       variance += rate * (1 - rate) / static_cast<double>(successes.size());
     }
     wanted.push_back(static_cast<double>(strata[i].size()) * std::sqrt(variance));
@@ -89,14 +89,14 @@ Allocation neyman_allocation(const Strata& strata, const Allocation& first,
 }
 
 StratifiedRate stratified_rate(const Strata& strata, const Allocation& sampled,
-                               const std::vector<std::size_t>& successes, double confidence) {
+                               const std::vector<double>& successes, double confidence) {
   const double population = population_of(strata);
   StratifiedRate result;
   double variance = 0;
   for (std::size_t i = 0; i < strata.size(); ++i) {
     const double size = static_cast<double>(strata[i].size()), k = static_cast<double>(sampled[i]);
     const double weight = size / population, rate = cautious_rate(successes[i], sampled[i]);
-    result.rate += weight * static_cast<double>(successes[i]) / k;
+    result.rate += weight * successes[i] / k;
     variance += weight * weight * rate * (1 - rate) / k * (1 - k / size);
   }
   const double half = std::sqrt(variance) * boost::math::quantile(distributions::Normal(0, 1),

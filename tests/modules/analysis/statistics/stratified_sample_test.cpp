@@ -92,6 +92,8 @@ TEST(StratifiedSample, EstimatesTheRateOfAllScenarios) {
   EXPECT_DOUBLE_EQ(found.rate, 0.625);
   const double variance = 0.5625 * 0.25 / 6 * 0.8 + 0.0625 * 5 / 36 / 4 * 0.6;
   EXPECT_NEAR(found.interval.high - found.rate, 1.959964 * std::sqrt(variance), 1e-6);
+  // With a scenario that half of its repetitions solve: 0.75 x 2.5 / 6 + 0.25.
+  EXPECT_DOUBLE_EQ(stratified_rate(of_sizes({30, 10}), {6, 4}, {2.5, 4}, 0.95).rate, 0.5625);
   const StratifiedRate all = stratified_rate(of_sizes({3, 1}), {3, 1}, {2, 1}, 0.95);
   EXPECT_DOUBLE_EQ(all.rate, 0.75);
   EXPECT_DOUBLE_EQ(all.interval.low, all.interval.high) << "nothing is left to estimate";
@@ -157,8 +159,9 @@ Performance performance(Population& population, const ValuesFor& values_for) {
       const Allocation sampled =
           neyman_allocation(strata, first, {successes_of(strata, first)}, 100);
       EXPECT_EQ(sum_of(sampled), 100U);
+      const std::vector<std::size_t> successes = successes_of(strata, sampled);
       const StratifiedRate found =
-          stratified_rate(strata, sampled, successes_of(strata, sampled), 0.95);
+          stratified_rate(strata, sampled, {successes.begin(), successes.end()}, 0.95);
       stratified_error += (found.rate - rate) * (found.rate - rate);
       covered += found.interval.low <= rate && rate <= found.interval.high ? 1 : 0;
       const Strata one = make_strata(values, 1, population.engine);

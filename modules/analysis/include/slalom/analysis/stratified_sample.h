@@ -38,9 +38,10 @@ struct StratifiedRate {
 
 /// The mean of the rates of the strata, weighted by their sizes (Cochran 1977, chapter 5). The
 /// variance is that of the design, with the finite population correction; a stratum with s
-/// successes of k has the variance of the rate (s + 1) / (k + 2), so that it is not 0 where all
-/// succeed. The interval is that of the normal distribution, within [0, 1].
+/// successes of k, or fractions of them with the sum s, has the variance of the rate (s + 1) / (k +
+/// 2), so that it is not 0 where all succeed. The interval is that of the normal distribution,
+/// within [0, 1].
 StratifiedRate stratified_rate(const Strata& strata, const Allocation& sampled,
-                               const std::vector<std::size_t>& successes, double confidence);
+                               const std::vector<double>& successes, double confidence);
 
 }  // namespace slalom
