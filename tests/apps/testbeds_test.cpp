@@ -54,6 +54,7 @@ TEST_F(TestBeds, CrowdNavAgreesWithTheDocumentation) {
 TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SLALOM_CONFIGS "/testbeds")) {
+    if (entry.path().extension() == ".csv") continue;  // of a test bed that has its hash
     const std::string hash = documented_hash(entry.path().stem());
     EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;
     EXPECT_EQ(hash.size(), 32U) << entry.path();
