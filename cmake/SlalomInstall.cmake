@@ -5,6 +5,11 @@ include(CMakePackageConfigHelpers)
 set(SLALOM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/slalom)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/slalom/configs)
+# Programs find the tables of difficulty from their own folder, also before they are installed.
+foreach(test_bed slalom-small slalom-standard)
+  set(table configs/testbeds/${test_bed}.difficulty.csv)
+  configure_file(${PROJECT_SOURCE_DIR}/${table} ${PROJECT_BINARY_DIR}/share/slalom/${table} COPYONLY)
+endforeach()
 
 # The window is a program, not a library.
 get_property(modules GLOBAL PROPERTY SLALOM_MODULES)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "quick.h"
+
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/table_text.h>
 #include <slalom/app/bundled_methods.h>
@@ -8,6 +10,7 @@
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/app/repeatability.h>
+#include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/file_lock.h>
@@ -28,6 +31,7 @@ struct Arguments {
   CampaignArguments campaign;
   std::string until;         ///< a StoppingRule
   std::size_t max_runs = 0;  ///< of that rule
+  std::optional<int> quick;  ///< how many scenarios to sample
   std::string output;
   std::string bundle;  ///< a file to write, or ""
   bool with_sources = false;
@@ -94,9 +98,10 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
 
 void evaluate(const Arguments& arguments) {
   const IniFile ini = load_campaign_ini(arguments.campaign);
-  for (const char* name :
-       {"/campaign.scenarios", "/runs.results", "/tables.txt", "/tables.csv", "/until.txt"})
+  for (const char* name : {"/campaign.scenarios", "/runs.results", "/tables.txt", "/tables.csv",
+                           "/until.txt", "/quick.txt"})
     refuse_output_over_inputs(arguments.output + name, ini);
+  if (arguments.quick) check_quick_size(*arguments.quick);
   CampaignConfig config = read_campaign(ini);
   const auto read_rule = [&](const CampaignOptions& options) {
     return parse_stopping_rule(arguments.until, arguments.max_runs, options, config.methods);
@@ -118,6 +123,14 @@ void evaluate(const Arguments& arguments) {
   const FileLock lock(results, arguments.campaign.take_over, print_notice);
   std::vector<Scenario> scenarios = campaign_scenarios(config, arguments.campaign);
   if (rule) rule = read_rule(config.options);
+  QuickSample quick;
+  if (arguments.quick) {
+    quick = choose_quick_sample(scenarios, *arguments.quick, config,
+                                worker_count(arguments.campaign.jobs),
+                                *make_interruptible_progress(arguments.campaign.quiet));
+    config.sample = quick.text();
+    scenarios = sampled_scenarios(quick, std::move(scenarios));
+  }
   ResultFile file = open_campaign_results(config, arguments.campaign, scenarios, results, rule);
   write_scenarios(scenarios, config.ini_text,
                   arguments.campaign.existing != ExistingResults::Overwrite,
@@ -133,6 +146,11 @@ void evaluate(const Arguments& arguments) {
   measure_repeatability(config, arguments.campaign, results);
   store_descriptors(config.options, results, arguments.output + "/campaign.scenarios");
   write_tables_and_report(arguments, results, config.analysis.report);
+  if (arguments.quick) {
+    const std::string answer = quick_answer(quick, results, config.analysis.confidence);
+    write_file_atomically(arguments.output + "/quick.txt", answer);
+    std::cout << "\n" << answer;
+  }
   if (!arguments.bundle.empty())
     std::cout << write_campaign_bundle(results, arguments.bundle, config, arguments.with_sources)
               << "\n";
@@ -156,6 +174,11 @@ void define(CLI::App& app) {
   app.add_option("--max-runs", arguments.max_runs,
                  "With --until: no further batch after this number of runs")
       ->needs(until);
+  app.add_option(
+         "--quick", arguments.quick,
+         "Run in a stratified sample of this number of the scenarios only, and estimate the "
+         "success over all of them: for slow methods")
+      ->excludes(until);
   CLI::Option* bundle =
       app.add_option("--bundle", arguments.bundle,
                      "Also write a bundle (.slalom), one small file with which others can verify "

@@ -72,6 +72,7 @@ Manifest make_manifest(const CampaignConfig& config, const std::vector<Scenario>
   };
   manifest.merge(hash_method_files(config));
   store_privileged(config.privileged, manifest);
+  if (!config.sample.empty()) manifest["quick"] = config.sample;
   if (rule) {
     manifest["until"] = rule->text;
     manifest["until.max_runs"] = std::to_string(rule->max_runs);

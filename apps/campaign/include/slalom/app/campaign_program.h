@@ -54,7 +54,8 @@ struct CampaignConfig {
   /// Dependencies of those: paths by "method.NAME.module/helper.py"; known after check_campaign().
   std::map<std::string, std::string> dependencies;
   PrivilegedMethods privileged;  ///< see check_campaign()
-  bool one_worker = false;       ///< a method is a running process, which serves one worker only
+  std::string sample;       ///< of which scenarios the campaign has a sample, as text; "" for all
+  bool one_worker = false;  ///< a method is a running process, which serves one worker only
 };
 
 /// Throws Error (Usage) for invalid values, and for ids in [analysis] that the campaign does not
