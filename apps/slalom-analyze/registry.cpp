@@ -113,6 +113,8 @@ Entry read_entry(const std::string& path, const std::string& name) {
   if (manifest.count("until") > 0)
     throw file_error(path, "is of a campaign whose number of runs depends on its results",
                      "a campaign without --until");
+  if (manifest.count("quick") > 0)
+    throw file_error(path, "is of a sample of scenarios", "a campaign without --quick");
   const RunPlan plan = plan_of(manifest, path);
   if (plan.shard.count > 1 || entry.runs.size() != plan.runs())
     throw file_error(path, "has " + std::to_string(entry.runs.size()) + " runs",

@@ -104,6 +104,8 @@ TEST_F(Registry, LeavesOutWhatIsNoWholeResult) {
         R"({"message": "8 of 8 runs verified", "color": "brightgreen", "file_hash": "0"})");
   write("entries/nonsense.slalom", good);
   write("entries/nonsense.slalom.verified.json", "[1, 2");
+  add_entry("quick", "--set scenarios.count=30 --quick 20");
+  EXPECT_EQ(run("slalom-simulate verify entries/quick.slalom --quiet").status, 0);
   add_entry("until", "--until 'interval(success) < 0.9'");
   const ProgramResult made = run("slalom-analyze registry entries -o site --no-reports");
   EXPECT_EQ(made.status, 1);
@@ -111,6 +113,7 @@ TEST_F(Registry, LeavesOutWhatIsNoWholeResult) {
        {"entries/different.slalom.verified.json: says that its runs are different",
         "left out: entries/damaged.slalom: ",
         "entries/nonsense.slalom.verified.json: is no verification",
+        "entries/quick.slalom: is of a sample of scenarios",
         "entries/until.slalom: is of a campaign whose number of runs depends on its results"})
     EXPECT_NE(made.err.find(words), std::string::npos) << words << " in " << made.err;
   for (const Json& row : rows_of(tables().at(0))) EXPECT_EQ(row["runs"], 4);

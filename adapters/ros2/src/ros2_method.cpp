@@ -4,6 +4,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
+#include <slalom/core/scratch_folder.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
 #include <slalom/library/shared_library.h>
@@ -14,9 +15,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <unistd.h>
+#include <fstream>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -48,27 +48,6 @@ RosTime time_of_running_nodes() {
   return seconds % 2'000'000 * 1000 * kSecond;
 }
 
-/// A temporary file.
-class ParameterFile {
- public:
-  explicit ParameterFile(const std::string& text)
-      : path_((std::filesystem::temp_directory_path() / "slalom_parameters_XXXXXX").string()) {
-    const int file = mkstemp(path_.data());
-    const bool written =
-        file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-    if (file >= 0) close(file);
-    if (!written) throw job_error(path_, "cannot be written", "a folder for temporary files");
-  }
-  ~ParameterFile() { unlink(path_.c_str()); }
-  ParameterFile(const ParameterFile&) = delete;
-  ParameterFile& operator=(const ParameterFile&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 /// The simulator's side of the nodes.
 class Ros2Method : public Method {
  public:
@@ -90,8 +69,10 @@ class Ros2Method : public Method {
         last_(options.launch.empty() ? time_of_running_nodes() : 0) {
     if (!options.rmw.empty()) environment_.emplace_back("RMW_IMPLEMENTATION", options.rmw);
     if (!parameters_.empty() && !options.launch.empty()) {
-      parameter_file_.emplace(parameter_file_text(parameters_));
-      environment_.emplace_back("SLALOM_PARAMETERS", parameter_file_->path());
+      folder_.emplace();
+      const std::string file = folder_->path() + "/parameters.yaml";
+      std::ofstream(file) << parameter_file_text(parameters_);
+      environment_.emplace_back("SLALOM_PARAMETERS", file);
     }
   }
 
@@ -348,7 +329,7 @@ class Ros2Method : public Method {
   Ros2Options options_;
   std::vector<std::string> barrier_;
   std::vector<NodeParameter> parameters_;
-  std::optional<ParameterFile> parameter_file_;
+  std::optional<ScratchFolder> folder_;  ///< with the file of parameters
   RobotModel robot_;
   double scan_latency_;  ///< s
   EnvironmentVariables environment_;
