@@ -142,7 +142,7 @@ TEST_F(Quick, EstimatesTheSuccessOverAllScenariosOfATestBed) {
     EXPECT_GE(part[2], whole[0]);
     EXPECT_LT(part[1], part[2]);
   }
-  // Of the 15 shipped methods go_to_goal is the worst one, which is not compared with itself.
+  // The worst of the 15 shipped methods is go_to_goal, which is not compared with itself.
   EXPECT_NE(read("all/quick.txt").find(", rank 15\n"), std::string::npos) << read("all/quick.txt");
 }
 
