@@ -18,12 +18,32 @@ function failureFigure({ run, why }) {
     html("span", { class: "support" }, why));
 }
 
+// Success over the bins of the first descriptor, on a scale from 0 to 1, with its intervals; null without bins.
+function sparkline(method) {
+  const at = report.columns.findIndex((column) => column.id === "success");
+  const group = report.tables.find(({ methods }) => methods.some((table) => table.method === method && table.rows.length > 1));
+  if (at < 0 || !group || report.selected) return null;
+  const table = group.methods.find((one) => one.method === method), points = table.rows.map(({ bin, cells }, i) => ({ bin, cell: cells[at], i }))
+    .filter(({ cell }) => cell.mean !== null);
+  const width = 160, height = 48, x = (i) => ((i + 0.5) * width) / table.rows.length, y = (value) => 3 + (1 - value) * (height - 6);
+  const label = points.map(({ bin, cell }) => `${bin}: ${fixed(cell.mean, 2)} ${intervalText(cell.interval, 2)} (${countText(cell)})`);
+  return html("figure", { class: "sparkline" },
+    svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `success by ${group.descriptor.id}: ${label.join(", ")}` },
+      svg("title", {}, label.join("\n")),
+      [0, 1].map((value) => svg("line", { class: "axis", x1: 0, x2: width, y1: y(value), y2: y(value) })),
+      points.filter(({ cell }) => cell.interval).map(({ cell, i }) =>
+        svg("line", { x1: x(i), x2: x(i), y1: y(cell.interval[0]), y2: y(cell.interval[1]) })),
+      svg("polyline", { points: points.map(({ cell, i }) => x(i).toFixed(1) + "," + y(cell.mean).toFixed(1)).join(" ") }),
+      points.map(({ cell, i }) => svg("circle", { cx: x(i), cy: y(cell.mean), r: 2.5 }))),
+    html("figcaption", { class: "support" }, `success, 0 to 1, by ${group.descriptor.name.toLowerCase()} → `));
+}
+
 function overviewCard({ method, text, failures }) {
   const name = methodLabel(method), row = report.summary.find((one) => one.method === method);
   const link = html("a", { href: "method.html#" + (method + 1) }, name);
   const rest = text.startsWith(name) ? text.slice(name.length) : ": " + text;
   return html("div", { class: "card overview" },
-    html("div", {}, html("p", {}, swatch(report.methods[method].color), link, rest + "."), outcomeBar(row)),
+    html("div", {}, sparkline(method), html("p", {}, swatch(report.methods[method].color), link, rest + "."), outcomeBar(row)),
     failures.length > 0 ? html("div", { class: "failures" }, failures.map(failureFigure))
       : row.outcomes.some((n, i) => n > 0 && report.outcomes[i] !== "success") ? soft("No other method solves a scenario in which it fails.") : "");
 }

@@ -185,6 +185,10 @@ TEST_F(ReportPages, BeginWithASentenceTheOutcomesAndTheFailuresOfEachMethod) {
   EXPECT_EQ(count(page, "collision; others that succeed here: 1 of 1</span>"), 3u);
   EXPECT_EQ(count(page, "href=\"run.html#"), 3u);
   EXPECT_EQ(count(page, "<svg xmlns"), 3u) << "their pictures";
+  // A line over the bins of density for each method: "good" at 1, on the upper axis of 48 pixels.
+  EXPECT_EQ(count(page, "<figure class=\"sparkline\">"), 2u);
+  EXPECT_EQ(count(page, "<polyline points=\"40.0,3.0"), 1u) << page;
+  EXPECT_EQ(count(page, "aria-label=\"success by density: [0, 0.5): 1.00 ["), 1u);
   EXPECT_EQ(count(section(open("method.html#1"), "overview"), "<svg xmlns"), 3u);
 }
 
