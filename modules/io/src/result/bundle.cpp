@@ -22,30 +22,34 @@ constexpr const char* kCreateFiles =
     "CREATE TABLE method_files (key TEXT PRIMARY KEY, content BLOB NOT NULL)";
 constexpr int kLevel = 19;  // of zstd: the smallest that it makes without much memory
 
-/// The scenarios of the failures of each method that most of the other methods solve, by hash.
-std::set<std::string> scenarios_to_replay(const ResultFile& results, std::size_t failures) {
-  std::map<std::string, std::set<std::string>> failed;  // methods by scenario
-  std::map<std::string, std::size_t> solved;            // runs
+/// Scenario hash and method.
+using RunsToReplay = std::set<std::pair<std::string, std::string>>;
+
+/// Failures of each method in scenarios that most of the other methods solve, each with the run of
+/// one that does.
+RunsToReplay runs_to_replay(const ResultFile& results, std::size_t failures) {
+  std::map<std::string, std::set<std::string>> failed, solved;  // methods by scenario
   results.for_each_key([&](const std::string& hash, const std::string& method, int repetition,
                            const std::string& outcome) {
-    if (outcome == to_string(Outcome::Success))
-      ++solved[hash];
-    else if (repetition == 0)
-      failed[hash].insert(method);
+    if (repetition == 0)
+      (outcome == to_string(Outcome::Success) ? solved : failed)[hash].insert(method);
   });
   std::vector<std::pair<std::string, std::string>> order;  // name, hash
   for (const auto& [hash, name] : results.read_scenario_names())
     if (failed.count(hash) > 0) order.emplace_back(name, hash);
   std::sort(order.begin(), order.end());
   std::stable_sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-    return solved[a.second] > solved[b.second];
+    return solved[a.second].size() > solved[b.second].size();
   });
   std::map<std::string, std::size_t> chosen;  // by method
-  std::set<std::string> scenarios;
+  RunsToReplay runs;
   for (const auto& [name, hash] : order)
-    for (const std::string& method : failed[hash])
-      if (chosen[method]++ < failures) scenarios.insert(hash);
-  return scenarios;
+    for (const std::string& method : failed[hash]) {
+      if (chosen[method]++ >= failures) continue;
+      runs.emplace(hash, method);
+      if (!solved[hash].empty()) runs.emplace(hash, *solved[hash].begin());
+    }
+  return runs;
 }
 
 /// The scenarios of the file by name.
@@ -56,19 +60,20 @@ std::vector<std::pair<std::string, std::string>> scenarios_by_name(const ResultF
   return order;
 }
 
-void copy_results(const ResultFile& results, const std::set<std::string>& to_replay,
+void copy_results(const ResultFile& results, const RunsToReplay& to_replay,
                   const std::string& path) {
+  std::set<std::string> scenarios;
+  for (const auto& [hash, method] : to_replay) scenarios.insert(hash);
   ResultFile copy =
       ResultFile::create(path, results.read_manifest(), results.descriptors(), results.metrics());
   for (const auto& [name, hash] : scenarios_by_name(results)) {
     References references = results.read_references(hash);
-    if (to_replay.count(hash) == 0) remove_paths(references);
+    if (scenarios.count(hash) == 0) remove_paths(references);
     copy.add_scenario(results.read_record(hash), results.read_scenario(hash), references);
   }
   results.for_each_run([&](const RunRecord& run) {
-    copy.add_run(
-        run, {},
-        to_replay.count(run.scenario_hash) > 0 ? results.read_trajectory(run) : PackedTrajectory());
+    const bool kept = run.repetition == 0 && to_replay.count({run.scenario_hash, run.method}) > 0;
+    copy.add_run(run, {}, kept ? results.read_trajectory(run) : PackedTrajectory());
   });
   copy.commit();
 }
@@ -93,7 +98,7 @@ void write_bundle(const std::string& results, const std::string& path,
                   const BundleOptions& options) {
   const SiblingTempFile draft(path);
   const ResultFile file = ResultFile::open(results);
-  copy_results(file, scenarios_to_replay(file, options.failures), draft.name());
+  copy_results(file, runs_to_replay(file, options.failures), draft.name());
   writing(path, [&] { finish(draft.name(), options.files); });
   write_file_atomically(path, compress(read_file(draft.name()), kLevel));
 }

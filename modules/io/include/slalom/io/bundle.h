@@ -17,8 +17,8 @@ struct BundledFile {
 
 struct BundleOptions {
   std::vector<BundledFile> files;
-  /// Number, for each method, of its failures in the scenarios that most of the others solve: the
-  /// runs of all methods in these are stored with their trajectories.
+  /// Number, for each method, of its failures that are stored with their trajectories, each with
+  /// the run of a method that solves the scenario: first those that most of the others solve.
   std::size_t failures = 3;
 };
 
