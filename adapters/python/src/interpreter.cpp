@@ -2,11 +2,14 @@
 #include "interpreter.h"
 
 #include <slalom/core/fork.h>
+#include <slalom/core/program_path.h>
 #include <slalom/core/text.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
 namespace slalom {
 namespace {
@@ -16,6 +19,14 @@ std::string interpreter_path() {
   const char* environment = std::getenv("VIRTUAL_ENV");
   if (environment == nullptr || *environment == '\0') return SLALOM_PYTHON_EXECUTABLE;
   return (std::filesystem::path(environment) / "bin" / "python3").string();
+}
+
+/// The standard library that is beside the programs of an archive (scripts/archive.sh), or "".
+std::string bundled_home() {
+  std::error_code ignored;
+  const auto home = std::filesystem::path(program_folder()) / "../lib/slalom/python";
+  return std::filesystem::is_directory(home / "lib", ignored) ? home.lexically_normal().string()
+                                                              : "";
 }
 
 void require(const PyStatus& status) {
@@ -47,6 +58,8 @@ void start_interpreter() {
   const std::string path = interpreter_path();
   require(PyConfig_SetBytesString(&config, &config.program_name, path.c_str()));
   require(PyConfig_SetBytesString(&config, &config.executable, path.c_str()));
+  if (const std::string home = bundled_home(); !home.empty())
+    require(PyConfig_SetBytesString(&config, &config.home, home.c_str()));
   require(Py_InitializeFromConfig(&config));
   PyEval_SaveThread();
 }

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Packs the finished release build with all libraries that it needs, for any Linux with the glibc of this computer or a
+# newer one: scripts/archive.sh
+# Writes build/release/slalom-VERSION-x86_64.tar.zst: one folder with the programs, the shipped methods, the Python package,
+# a Python with NumPy for methods in Python, and the licenses of all of them. Needs the packages patchelf and zstd.
+set -euo pipefail
+cd "$(dirname "$0")/.." && source scripts/bundle.sh
+[ "${1:-}" != --help ] || { sed -n '3,/^set /{/^set /d; s/^# \{0,1\}//; p}' scripts/archive.sh && exit 0; }
+[ $# -eq 0 ] || bundle_refuse "$1: expected no argument"
+bundle_require zstd
+name=slalom-$(bundle_version)-x86_64
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/$name"
+bundle_stage "$work/$name"
+tar -C "$work" --sort=name --mtime="@$(bundle_time)" --owner=0 --group=0 --numeric-owner -c "$name" |
+  zstd -19 --long=27 -T2 -q -f -o "build/release/$name.tar.zst"
+echo "$(du -sm "$work/$name" | cut -f1) MB unpacked"
+ls -l "build/release/$name.tar.zst"
