@@ -160,4 +160,30 @@ expect "the check of packages explains itself" check_packages --help
 expect_text "to the last line" "as it downloads a system." "$work/out"
 expect "it refuses a path for a name" refuses_packages "../trixie: expected the code name" ../trixie "$work"
 expect "it refuses a folder without packages" refuses_packages "$work: no slalom_*.deb" trixie "$work"
+
+check_archive() { "$sources/scripts/check_archive.sh" "$@" >"$work/out" 2>"$work/err"; }
+refuses_archive() {
+  local text=$1
+  shift
+  check_archive "$@"
+  [ $? -eq 2 ] && grep -qF -- "$text" "$work/err"
+}
+expect "the check of the archive explains itself" check_archive --help
+expect_text "to the last line" "as it downloads a system." "$work/out"
+expect "it refuses a path for a name" refuses_archive "../trixie: expected the code name" ../trixie
+expect "it refuses a missing archive" refuses_archive "$work/none.tar.zst: no archive" trixie "$work/none.tar.zst"
+make_archive() { "$sources/scripts/archive.sh" "$@" >"$work/out" 2>"$work/err"; }
+expect "the archive explains itself" make_archive --help
+expect_text "to the last line" "Needs the packages patchelf and zstd." "$work/out"
+expect "it refuses an argument" not make_archive trixie
+expect_text "and names it" "archive.sh: trixie: expected no argument" "$work/err"
+
+# Binaries are found by their first bytes, not by names.
+source "$sources/scripts/bundle.sh"
+mkdir "$work/stage"
+cp /bin/true "$work/stage/a program"
+printf '#!/bin/sh\n' >"$work/stage/script" && chmod +x "$work/stage/script"
+only_program() { [ "$(bundle_binaries "$work/stage" | tr '\0' '|')" = "$work/stage/a program|" ]; }
+expect "the binaries of a folder are its programs, also with a space in the name, without scripts" only_program
+expect "the package of a library is found" [ "$(bundle_owner "$(realpath /lib/x86_64-linux-gnu/libc.so.6)")" = libc6 ]
 exit "$failed"
