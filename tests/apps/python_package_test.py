@@ -596,6 +596,28 @@ class Interpreters(unittest.TestCase):
         self.assertEqual(self.import_with([], folder), "")
 
 
+class Programs(unittest.TestCase):
+    def run_module(self, *words):
+        return subprocess.run(
+            [sys.executable, "-m", "slalom", *words], capture_output=True, text=True,
+            env={**os.environ, "PYTHONPATH": str(pathlib.Path(slalom.__file__).parents[1])},
+        )
+
+    def test_python_m_slalom_runs_a_program_with_its_output_and_its_status(self):
+        direct = subprocess.run([PROGRAMS / "slalom-evaluate", "no.ini"], capture_output=True, text=True)
+        done = self.run_module("evaluate", "no.ini")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual((done.returncode, done.stderr), (direct.returncode, direct.stderr))
+        self.assertIn("slalom-evaluate", self.run_module("evaluate", "--help").stdout)
+
+    def test_other_names_are_answered_with_the_programs(self):
+        self.assertIn("PROGRAM is one of analyze, ", self.run_module("--help").stdout)
+        for words, given in [(["avaluate"], "avaluate"), (["../evaluate"], "../evaluate"), ([], "no program")]:
+            done = self.run_module(*words)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, f"^slalom: {re.escape(given)}: expected one of analyze, .*evaluate")
+
+
 class Scenarios(unittest.TestCase):
     def test_generation_is_repeatable(self):
         self.assertEqual(small(), small())

@@ -178,6 +178,36 @@ expect_text "to the last line" "Needs the packages patchelf and zstd." "$work/ou
 expect "it refuses an argument" not make_archive trixie
 expect_text "and names it" "archive.sh: trixie: expected no argument" "$work/err"
 
+# A wheel lists each file with its hash, and keeps what may be executed; the same files give the same wheel.
+mkdir -p "$work/package/slalom/bundle/bin" "$work/first" "$work/second"
+printf 'text' >"$work/package/slalom/__init__.py"
+cp /bin/true "$work/package/slalom/bundle/bin/slalom-program"
+make_wheel() { /usr/bin/python3 "$sources/scripts/wheel.py" "$work/package" 1.2.3 36 946684800 "$1" >/dev/null; }
+expect "a wheel is written" make_wheel "$work/first"
+touch "$work/package/slalom/__init__.py" && make_wheel "$work/second"
+wheel=$(basename "$work"/first/*.whl)
+expect "with its platform in the name" grep -q '^slalom-1.2.3-cp3[0-9]*-cp3[0-9]*-manylinux_2_36_x86_64.whl$' <<<"$wheel"
+expect "the same twice" cmp "$work/first/$wheel" "$work/second/$wheel"
+wheel_is_right() {
+  /usr/bin/python3 - "$work/first/$wheel" <<'PYTHON'
+import base64, csv, hashlib, sys, zipfile
+wheel = zipfile.ZipFile(sys.argv[1])
+rows = {name: digest for name, digest, _ in csv.reader(wheel.read("slalom-1.2.3.dist-info/RECORD").decode().splitlines())}
+assert set(rows) == set(wheel.namelist())
+# The hash of PEP 427: urlsafe base64 without padding.
+digest = base64.urlsafe_b64encode(hashlib.sha256(b"text").digest()).rstrip(b"=").decode()
+assert rows["slalom/__init__.py"] == "sha256=" + digest
+assert wheel.getinfo("slalom/bundle/bin/slalom-program").external_attr >> 16 & 0o111 == 0o111
+assert wheel.getinfo("slalom/__init__.py").external_attr >> 16 & 0o111 == 0
+PYTHON
+}
+expect "its record has all files and their hashes, and programs may be executed" wheel_is_right
+make_a_wheel() { "$sources/scripts/wheel.sh" "$@" >"$work/out" 2>"$work/err"; }
+expect "the wheel explains itself" make_a_wheel --help
+expect_text "to the last line" "package patchelf." "$work/out"
+expect "it refuses an argument" not make_a_wheel trixie
+expect_text "and names it" "wheel.sh: trixie: expected no argument" "$work/err"
+
 # Binaries are found by their first bytes, not by names.
 source "$sources/scripts/bundle.sh"
 mkdir "$work/stage"

@@ -257,9 +257,9 @@ def _analyze(verb: str, results: Sequence[Results], options: Dict[str, Any]) -> 
 
 
 def _find_program(name: str) -> str:
-    """The path of a program of the same version: built, installed, or on PATH."""
+    """The path of a program of the same version: in a wheel, built, installed, or on PATH."""
     package = os.path.dirname(os.path.abspath(__file__))
-    for folder in ("../../../bin", "../../../../bin"):
+    for folder in ("bundle/bin", "../../../bin", "../../../../bin"):
         path = os.path.abspath(os.path.join(package, folder, name))
         if os.path.isfile(path):
             return path
@@ -559,7 +559,8 @@ def onnx(model: str, **options: Any) -> Dict[str, Any]:
 def _find_plugin(library: str) -> str:
     """The path of a library: as given, or in the folders where Slalom's methods are."""
     package = os.path.dirname(os.path.abspath(__file__))
-    for folder in ("", "../../slalom", "../../../slalom"):  # built, installed
+    # Folders: none, in a wheel, built, installed.
+    for folder in ("", "bundle/lib/slalom", "../../slalom", "../../../slalom"):
         path = os.path.abspath(os.path.join(package if folder else "", folder, library))
         if os.path.isfile(path):
             return path

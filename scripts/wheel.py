@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the package FOLDER/slalom as a wheel (PEP 427, PEP 600):
+    scripts/wheel.py FOLDER VERSION GLIBC TIME OUT
+GLIBC is the number after "2." of the oldest glibc, TIME in s since 1970 that of all files, OUT a folder. Of scripts/wheel.sh.
+"""
+import base64
+import hashlib
+import os
+import pathlib
+import sys
+import time
+import zipfile
+
+
+def main(folder: str, version: str, glibc: str, seconds: str, out: str) -> None:
+    python = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    tag = f"{python}-{python}-manylinux_2_{glibc}_x86_64"
+    info = f"slalom-{version}.dist-info"
+    record = []
+    path = pathlib.Path(out) / f"slalom-{version}-{tag}.whl"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as wheel:
+
+        def write(name: str, content: bytes, mode: int) -> None:
+            entry = zipfile.ZipInfo(name, time.gmtime(int(seconds))[:6])
+            entry.external_attr = (0o100000 | mode) << 16
+            wheel.writestr(entry, content, zipfile.ZIP_DEFLATED, 9)
+            digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+            record.append(f'"{name}",sha256={digest},{len(content)}')
+
+        for file in sorted(pathlib.Path(folder, "slalom").rglob("*")):
+            if file.is_file():
+                mode = 0o755 if os.access(file, os.X_OK) else 0o644
+                write(str(file.relative_to(folder)), file.read_bytes(), mode)
+        minor = sys.version_info[1]
+        metadata = (
+            f"Metadata-Version: 2.1\nName: slalom\nVersion: {version}\n"
+            "Summary: Evaluation of obstacle avoidance methods for mobile robots\n"
+            "License: BSD-3-Clause, and those in slalom/bundle/share/doc/slalom/licenses\n"
+            f"Requires-Python: >=3.{minor}, <3.{minor + 1}\nRequires-Dist: numpy\n"
+        )
+        write(f"{info}/METADATA", metadata.encode(), 0o644)
+        write(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: slalom\nRoot-Is-Purelib: false\nTag: {tag}\n".encode(), 0o644)
+        lines = "".join(line + "\n" for line in record + [f"{info}/RECORD,,"])
+        write(f"{info}/RECORD", lines.encode(), 0o644)
+    print(f"{path}: {path.stat().st_size / 1e6:.0f} MB")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 6:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

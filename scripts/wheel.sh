@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Packs what scripts/archive.sh packs as a Python wheel, for the version of Python with which Slalom is built, as pybind11
+# has no stable ABI: scripts/wheel.sh
+# Writes build/release/slalom-VERSION-cpXY-cpXY-manylinux_2_Z_x86_64.whl; Z is of the glibc of this computer. Needs the
+# package patchelf.
+set -euo pipefail
+cd "$(dirname "$0")/.." && source scripts/bundle.sh
+[ "${1:-}" != --help ] || { sed -n '3,/^set /{/^set /d; s/^# \{0,1\}//; p}' scripts/wheel.sh && exit 0; }
+[ $# -eq 0 ] || bundle_refuse "$1: expected no argument"
+bundle_require
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bundle"
+bundle_stage "$work/bundle"
+mv "$work/bundle/lib/python3/dist-packages/slalom" "$work/slalom"
+rmdir "$work/bundle/lib/python3/dist-packages" "$work/bundle/lib/python3"
+mv "$work/bundle" "$work/slalom/bundle"
+patchelf --set-rpath "\$ORIGIN/bundle/lib/slalom/bundled" "$work"/slalom/_slalom.*.so
+/usr/bin/python3 scripts/wheel.py "$work" "$(bundle_version)" "$(ldd --version | sed -n '1s/.* 2\.\([0-9]*\)$/\1/p')" \
+  "$(bundle_time)" build/release
