@@ -21,6 +21,8 @@ constexpr double kWidth = 360, kHeight = 240, kLegend = 180, kLine = 18;  // pix
 
 /// The values between the ends of an axis.
 struct Axis {
+  static constexpr int kMaxTicks = 6;
+
   double low = 0, high = 1;
 
   double part(double value) const { return (value - low) / (high - low); }
@@ -28,6 +30,7 @@ struct Axis {
   /// About five round numbers: 1, 2 or 5 times a power of ten apart.
   std::vector<double> ticks() const {
     const double raw = (high - low) / 5;
+    if (!(raw > 0) || !std::isfinite(raw)) return {};
     double power = 1;
     while (power > raw) power /= 10;
     while (10 * power <= raw) power *= 10;
@@ -35,8 +38,9 @@ struct Axis {
     for (const double factor : {5.0, 2.0, 1.0})
       if (raw <= factor * power) step = factor * power;
     std::vector<double> found;
-    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k)
-      found.push_back(k * step + 0.0);  // no negative zero
+    const double first = std::ceil(low / step - 1e-9);
+    for (int i = 0; i <= kMaxTicks && (first + i) * step <= high + 1e-9 * step; ++i)
+      found.push_back((first + i) * step + 0.0);  // no negative zero
     return found;
   }
 };
@@ -45,7 +49,10 @@ struct Axis {
 Axis axis_of(const QuantityInfo& info, const std::vector<double>& values) {
   if (info.kind == QuantityKind::Rate || values.empty()) return {};
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  if (*low == *high) return {*low - 0.5, *high + 0.5};
+  if (*low == *high) {
+    const double half = std::max(0.5, std::abs(*low) / 2);  // large numbers have no fractions
+    return {*low - half, *high + half};
+  }
   const double margin = 0.03 * (*high - *low);
   return {*low == 0 ? 0 : *low - margin, *high + margin};
 }

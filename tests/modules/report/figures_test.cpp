@@ -133,6 +133,20 @@ TEST(Figures, ADistributionCountsRunsWithoutAValueAsLarger) {
   EXPECT_EQ(count(svg, "410.0,50.0\""), 1U) << "all of b & c";
 }
 
+TEST(Figures, ValuesOfAnySizeAreDrawn) {
+  for (const auto& [a, b] :
+       {std::pair{1e17, 1e17}, {1e17, 1e17 + 16}, {-1e308, 1e308}, {5e-324, 0}}) {
+    ResultTable runs = lengths();
+    ValueColumn& length = runs.metrics.front();
+    length = ValueColumn(length.info());
+    for (std::size_t run = 0; run < runs.size(); ++run) length.add_number(run == 0 ? a : b);
+    for (const std::string& svg :
+         {box_figure(runs, "path_length"), distribution_figure(runs, "path_length"),
+          scatter_figure(runs, "path_length", "density")})
+      EXPECT_EQ(svg.rfind("</svg>"), svg.size() - 7) << a << " and " << b;
+  }
+}
+
 TEST(Figures, AScatterHasAPointForEachRunWithBothValues) {
   const std::string svg = scatter_figure(lengths(), "density", "path_length");
   EXPECT_EQ(count(svg, "<circle"), 5U) << svg;
