@@ -170,6 +170,19 @@ TEST_F(Bundles, MissingRunsAndScenariosAreFound) {
   expect_found("which is not of its campaign");
 }
 
+TEST_F(Bundles, ARunThatIsThereTwiceDoesNotHideAMissingOne) {
+  ASSERT_EQ(run("sqlite3 runs.results \"CREATE TABLE other AS SELECT * FROM runs WHERE run > 1; "
+                "INSERT INTO other SELECT * FROM runs WHERE run = 2; DROP TABLE runs; "
+                "ALTER TABLE other RENAME TO runs\"")
+                .status,
+            0);
+  const ProgramResult verified = run("slalom-simulate verify runs.results --quiet");
+  EXPECT_EQ(verified.status, 1) << verified.out;
+  EXPECT_NE(verified.out.find("the file lacks 1 of 8 runs of its campaign, run "),
+            std::string::npos)
+      << verified.out << verified.err;
+}
+
 TEST_F(Bundles, ForgedStatementsAreFound) {
   // The scenarios of another seed.
   forge({[](Manifest& manifest) {

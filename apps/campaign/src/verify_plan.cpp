@@ -62,11 +62,11 @@ PlanComparison compare_plan(const ResultFile& file, const CampaignConfig& config
   std::set<std::tuple<std::string, std::string, int>> found;
   file.for_each_key(
       [&](const std::string& hash, const std::string& method, int repetition, const std::string&) {
-        ++plan.present;
         if (methods.count(method) == 0 || repetition < 0 || repetition >= repetitions)
           plan.foreign = run_id(run_of(hash, method, repetition));
         found.emplace(hash, method, repetition);
       });
+  plan.present = found.size();
   for (const std::string& hash : hashes)
     for (const std::string& method : methods)
       for (int repetition = 0; repetition < repetitions; ++repetition)

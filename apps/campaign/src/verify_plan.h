@@ -12,12 +12,14 @@ namespace slalom {
 
 /// The runs of its campaign that a result file contains.
 struct PlanComparison {
-  std::size_t planned = 0, present = 0;
+  std::size_t planned = 0, present = 0;  ///< runs, each counted once
   std::string shard;          ///< "3/16": the file contains no other part; "": the whole campaign
   std::string first_missing;  ///< HASH8/METHOD/REPETITION, or "a scenario"
   std::string foreign;        ///< a run that is not in the plan
 
-  bool complete() const { return shard.empty() && present == planned && foreign.empty(); }
+  bool complete() const {
+    return shard.empty() && first_missing.empty() && present == planned && foreign.empty();
+  }
   /// "lacks 3 of 2001 runs of its campaign, run 0123abcd/nd/0 first".
   std::string text() const;
 };
