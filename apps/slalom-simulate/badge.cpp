@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <ctime>
+
 namespace slalom {
 namespace {
 
@@ -20,11 +22,10 @@ struct Badge {
 
 Badge badge_of(const VerifyReport& report) {
   if (!report.differences.empty()) return {"different", "red"};
-  if (report.runs == report.time_limits.size() + report.not_repeatable.size())
-    return {"not repeatable", "lightgrey"};
-  return {
-      std::to_string(report.runs) + " of " + std::to_string(report.total_runs) + " runs verified",
-      "brightgreen"};
+  if (report.identical_runs() == 0) return {"not repeatable", "lightgrey"};
+  return {std::to_string(report.identical_runs()) + " of " + std::to_string(report.total_runs) +
+              " runs verified",
+          "brightgreen"};
 }
 
 /// A badge of two fields; its widths are those of a sans serif of 11 pixels, roughly.

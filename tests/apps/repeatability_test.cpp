@@ -143,6 +143,18 @@ TEST_F(Repeatability, VerifyDoesNotAccuseAMethodThatIsNotRepeatable) {
   }
 }
 
+TEST_F(Repeatability, TheBadgeOfAVerificationCountsTheIdenticalRunsOnly) {
+  ASSERT_EQ(
+      run("slalom-evaluate mine.ini -o out -j 1 --quiet --set campaign.methods=mine,nd").status, 0);
+  const ProgramResult result =
+      run("slalom-simulate verify out/runs.results --trust --fraction 1 --quiet --badge");
+  ASSERT_EQ(result.status, 0) << result.out << result.err;
+  ASSERT_TRUE(has(result.out, " of methods that are not repeatable\n")) << result.out;
+  const std::string sentence = last_line(result.out);
+  EXPECT_EQ(Json::parse(read("out/runs.results.verified.json"))["message"],
+            sentence.substr(0, sentence.find(' ')) + " of 8 runs verified");
+}
+
 TEST_F(Repeatability, VerifySaysThatAMethodRepeatsItselfWhereTheResultsDiffer) {
   std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
                              folder_ / "gap.so");

@@ -230,8 +230,7 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
 
 std::string verdict(const VerifyReport& report, const std::string& path) {
   if (!report.complete) throw Interrupted("nothing was changed");
-  const std::size_t unequal = report.not_repeatable.size(),
-                    runs = report.runs - report.time_limits.size() - unequal;
+  const std::size_t unequal = report.not_repeatable.size(), runs = report.identical_runs();
   if (runs == 0 && unequal == 0 && report.runs > 0)
     throw job_error(path,
                     "a time limit ended each of the runs on one of the machines, so that none was "

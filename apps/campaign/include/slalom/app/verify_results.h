@@ -36,6 +36,9 @@ struct VerifyReport {
   /// One line per run that is not the same because its method is not repeatable, as it showed
   /// when it was executed once more.
   std::vector<std::string> not_repeatable;
+
+  /// Runs with the same values, if there are no differences.
+  std::size_t identical_runs() const { return runs - time_limits.size() - not_repeatable.size(); }
 };
 
 /// Receives what differs from the programs, files of methods and machine that made the file.
