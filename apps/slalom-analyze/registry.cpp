@@ -7,6 +7,7 @@
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/analysis/summary.h>
 #include <slalom/app/output_folder.h>
+#include <slalom/app/program.h>
 #include <slalom/app/testbeds.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/campaign/shards.h>
@@ -19,6 +20,7 @@
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
+#include <slalom/ompl/ompl_planner.h>
 #include <slalom/report/report.h>
 #include <slalom/results/privileged.h>
 
@@ -73,14 +75,14 @@ constexpr const char* kMetrics[] = {"success", "optimality", "safety"};
 std::string settings_of(const Manifest& manifest, const std::string& path) {
   const auto text = manifest.find(kEffectiveKey);
   if (text == manifest.end()) throw file_error(path, "does not state its settings");
-  const IniFile ini = IniFile::from_text(text->second, path),
-                defaults = campaign_ini(CampaignOptions(), "");
+  const IniFile ini = IniFile::from_text(text->second, path);
+  IniFile defaults = campaign_ini(CampaignOptions(), "");
+  write_options(defaults, "reference", OmplOptions(), "");
   std::vector<std::string> settings;
   for (const std::string& section : ini.sections())
     for (const std::string& key : ini.keys(section)) {
-      if (starts_with(section, "method.") || section == "limits" || section == "analysis" ||
-          section == "reference" || section == "metrics" || section == "record" ||
-          (section == "campaign" && key != "repetitions"))
+      if (starts_with(section, "method.") || section == "analysis" || section == "metrics" ||
+          section == "record" || (section == "campaign" && key != "repetitions"))
         continue;
       const std::string value = ini.get(section, key).value_or("");
       if (value != defaults.get(section, key).value_or(""))

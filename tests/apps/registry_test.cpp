@@ -76,12 +76,13 @@ TEST_F(Registry, RanksTheMethodsOfSeveralBundlesOverTheSameScenarios) {
 TEST_F(Registry, HasATableForEachSetOfScenariosAndSettings) {
   add_entry("a");
   add_entry("fast", "--set robot.max_v=1.5");
+  add_entry("late", "--set limits.cycle_deadline=10");
   add_entry("other", "--set campaign.seed=6");
   ASSERT_EQ(run("slalom-analyze registry entries -o site --no-reports").status, 0);
   std::vector<std::string> titles;
   const Json all = tables();
   for (const Json& table : all) titles.push_back(table["name"]);
-  ASSERT_EQ(titles.size(), 3U);
+  ASSERT_EQ(titles.size(), 4U);
   EXPECT_EQ(std::count_if(titles.begin(), titles.end(),
                           [](const std::string& title) {
                             return title.find(", 4 scenarios: robot.max_v = 1.5") !=
