@@ -32,7 +32,7 @@ Interval betting_interval(const std::vector<double>& values, double low, double 
   const auto rejected = [&](double mean, double direction) {
     BettingTest test(mean - middle, direction * effect, (high - low) / 2);
     for (const double value : values) test.add(value - middle);
-    return test.p() <= test_level(confidence);
+    return test.p() <= test_level(confidence) / 2;
   };
   Interval above = {low, high}, below = {low, high};  // hold the lower and the upper bound
   for (int i = 0; i < 14; ++i) {

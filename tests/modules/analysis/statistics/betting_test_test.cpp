@@ -68,8 +68,8 @@ TEST(BettingInterval, HoldsTheMeansThatAreNotRejected) {
       above.add(value);
       below.add(value);
     }
-    EXPECT_TRUE(above.p() <= 0.05 ? mean <= interval.low + 2e-4 : mean >= interval.low) << mean;
-    EXPECT_TRUE(below.p() <= 0.05 ? mean >= interval.high - 2e-4 : mean <= interval.high) << mean;
+    EXPECT_TRUE(above.p() <= 0.025 ? mean <= interval.low + 2e-4 : mean >= interval.low) << mean;
+    EXPECT_TRUE(below.p() <= 0.025 ? mean >= interval.high - 2e-4 : mean <= interval.high) << mean;
   }
 }
 

@@ -38,9 +38,9 @@ class BettingTest {
 };
 
 /// Bounds of the mean of values in [low, high] that are valid however often one looks: the means
-/// that a BettingTest with this effect, at 1 - confidence, does not show to be exceeded, or not to
-/// be reached. Each bound is wrong with a probability of at most 1 - confidence. Outward by at most
-/// 1e-4 of high - low.
+/// that a BettingTest with this effect, at (1 - confidence) / 2, does not show to be exceeded, or
+/// not to be reached. Both bounds hold with a probability of at least `confidence`. Outward by at
+/// most 1e-4 of high - low.
 Interval betting_interval(const std::vector<double>& values, double low, double high, double effect,
                           double confidence);
 

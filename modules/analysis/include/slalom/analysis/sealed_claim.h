@@ -5,6 +5,7 @@
 #include <slalom/analysis/statistics.h>
 #include <slalom/analysis/tune_search.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -36,11 +37,10 @@ RateEstimate betting_estimate(const std::vector<double>& values, double low, dou
 
 /// A comparison of a tuned configuration with the default, in pairs of runs in scenarios that took
 /// no part in its choice, in their order. It is Better when a BettingTest shows that its rate of
-/// success is higher. If it is not, that happens with a probability of at most 1 - confidence, also
-/// if the number of scenarios is increased later.
+/// success is higher. If it is not, that happens with a probability of at most (1 - confidence) /
+/// 2, also if the number of scenarios is increased later.
 ///
-/// Intervals are valid at the end, however early: the lower end holds with `confidence`, the upper
-/// end too, both together with 2 confidence - 1 (betting_interval()). That of the difference is
+/// Intervals are valid at the end, however early (betting_interval()). That of the difference is
 /// above 0 exactly if the configuration is Better. The difference itself would be too large after
 /// an early stop; hence the minimum of 200 scenarios.
 class SealedClaim {
@@ -56,7 +56,8 @@ class SealedClaim {
   void extend(std::size_t max_scenarios);
 
   TuneVerdict verdict() const { return verdict_; }
-  double p() const { return test_.p(); }  ///< valid at any time
+  /// Valid at any time, for a difference in either direction.
+  double p() const { return std::min(1.0, 2 * test_.p()); }
   std::size_t scenarios() const { return tuned_.size(); }
 
   /// Rates of success and their difference; require a scenario.
