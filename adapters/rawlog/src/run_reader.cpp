@@ -95,7 +95,14 @@ class RunLog {
     return index < size() && std::dynamic_pointer_cast<const Class>(objects_[index]) != nullptr;
   }
 
-  ManifestReader first_comment() { return comment(next_++); }
+  ManifestReader first_comment() {
+    if (!has<CObservationComment>(0))
+      throw file_error(
+          path_, "was not recorded by Slalom",
+          "a rawlog of [record]; slalom-replay openloop passes the scans of any log to "
+          "a method, slalom-scenarios import makes a scenario of it");
+    return comment(next_++);
+  }
   ManifestReader last_comment() const { return comment(size() - 1); }
 
   /// An error at the last object.
