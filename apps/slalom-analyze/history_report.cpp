@@ -2,7 +2,9 @@
 #include "address_text.h"
 #include "history_report.h"
 
+#include <slalom/analysis/history.h>
 #include <slalom/io/result_file.h>
+#include <slalom/report/figures.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -32,10 +34,14 @@ void report_history(const std::vector<std::string>& paths, const std::vector<Res
   const Interpreter& history = history_interpreter();
   require_number_of_results(history, results.size());
   std::vector<ResultTable> shown = results;
-  const Interpretation found = interpret(history, shown, make_query(request, history, results[0]));
+  const AnalysisQuery query = make_query(request, history, results[0]);
+  const Interpretation found = interpret(history, shown, query);
 
-  std::vector<std::string> names;
+  std::vector<std::string> names, figures;
   for (const std::string& path : paths) names.push_back(folder_name(path, names.size()));
+  const History curves = build_history(shown, query.metrics, query.comparison);
+  for (const std::string& metric : query.metrics)
+    figures.push_back(history_figure(curves, metric, names));
   for (std::size_t i = 0; i < paths.size(); ++i)
     write_report(i, (fs::path(folder) / names[i]).string());
   const auto address_of = [&](const std::string& column, const std::string& field) {
@@ -45,8 +51,9 @@ void report_history(const std::vector<std::string>& paths, const std::vector<Res
       if (results[i].source == field) return address_text(names[i]) + "/index.html";
     return std::string();
   };
-  write_file_atomically((fs::path(folder) / "index.html").string(),
-                        render_html(found, "History of " + results.back().source, address_of));
+  write_file_atomically(
+      (fs::path(folder) / "index.html").string(),
+      render_html(found, "History of " + results.back().source, address_of, figures));
 }
 
 }  // namespace slalom

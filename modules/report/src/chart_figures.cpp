@@ -2,6 +2,7 @@
 #include "svg_elements.h"
 
 #include <slalom/analysis/quantile.h>
+#include <slalom/core/text.h>
 #include <slalom/report/figures.h>
 
 #include <fmt/format.h>
@@ -145,49 +146,86 @@ std::vector<double> all_of(const std::vector<MethodValues>& methods) {
   return all;
 }
 
-}  // namespace
+/// A line through cells, at the places of its categories; null where there is none.
+struct CellLine {
+  std::string name;
+  std::vector<const Cell*> cells;
+};
 
-std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column) {
+/// Estimates with their intervals over categories, a line per method.
+std::string lines_figure(const QuantityInfo& info, const std::string& x_label,
+                         const std::vector<std::string>& categories,
+                         const std::vector<CellLine>& lines) {
   std::vector<double> ends;
-  const auto cell_of = [&](const CrossTable& table, const CrossRow& row) -> const Cell* {
-    for (std::size_t i = 0; i < table.columns.size(); ++i)
-      if (table.columns[i].info.id == column.info.id && row.cells[i].estimate) return &row.cells[i];
-    return nullptr;
+  for (const CellLine& line : lines)
+    for (const Cell* cell : line.cells) {
+      if (cell == nullptr) continue;
+      ends.push_back(*cell->estimate);
+      if (cell->interval) ends.insert(ends.end(), {cell->interval->low, cell->interval->high});
+    }
+  const Axis axis = axis_of(info, ends);
+  const auto x_of = [&](std::size_t category) {
+    return x_at((static_cast<double>(category) + 0.5) / static_cast<double>(categories.size()));
   };
-  for (const CrossTable& table : tables)
-    for (const CrossRow& row : table.rows)
-      if (const Cell* cell = cell_of(table, row)) {
-        ends.push_back(*cell->estimate);
-        if (cell->interval) ends.insert(ends.end(), {cell->interval->low, cell->interval->high});
-      }
-  const Axis axis = axis_of(column.info, ends);
-  const std::size_t bins = tables.empty() ? 0 : tables.front().rows.size();
-  const auto x_of = [&](std::size_t bin) {
-    return x_at((static_cast<double>(bin) + 0.5) / static_cast<double>(bins));
-  };
-  std::string content =
-      frame(tables.empty() ? "" : label_of(tables.front().descriptor), label_of(column.info)) +
-      y_ticks(axis);
-  for (std::size_t bin = 0; bin < bins; ++bin)
-    content += text(x_of(bin), y_at(0) + 18, "middle", tables.front().rows[bin].bin.label());
-  for (std::size_t i = 0; i < tables.size(); ++i) {
+  std::string content = frame(x_label, label_of(info)) + y_ticks(axis);
+  for (std::size_t i = 0; i < categories.size(); ++i)
+    content += text(x_of(i), y_at(0) + 18, "middle", categories[i]);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     // Beside each other, so that intervals do not hide each other.
-    const double shift = 5 * (static_cast<double>(i) - static_cast<double>(tables.size() - 1) / 2);
+    const double shift = 5 * (static_cast<double>(i) - static_cast<double>(lines.size() - 1) / 2);
     const std::string color = method_color(i);
     std::string points, marks;
-    for (std::size_t bin = 0; bin < bins; ++bin) {
-      const Cell* const cell = cell_of(tables[i], tables[i].rows[bin]);
+    for (std::size_t at = 0; at < lines[i].cells.size(); ++at) {
+      const Cell* const cell = lines[i].cells[at];
       if (cell == nullptr) continue;
-      const double x = x_of(bin) + shift, y = y_at(axis.part(*cell->estimate));
+      const double x = x_of(at) + shift, y = y_at(axis.part(*cell->estimate));
       points += fmt::format("{:.1f},{:.1f} ", x, y);
       marks += point(x, y, 3, color);
       if (cell->interval)
         marks += segment(x, y_at(axis.part(cell->interval->low)), x,
                          y_at(axis.part(cell->interval->high)), 1.2, color);
     }
-    content += polyline(points, color) + marks + legend(i, tables[i].method, color);
+    content += polyline(points, color) + marks + legend(i, lines[i].name, color);
   }
-  return chart(content, tables.size());
+  return chart(content, lines.size());
+}
+
+/// The cell, if it has an estimate.
+const Cell* drawn(const Cell& cell) {
+  return cell.estimate ? &cell : nullptr;
+}
+
+}  // namespace
+
+std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column) {
+  std::vector<std::string> bins;
+  std::vector<CellLine> lines;
+  for (const CrossTable& table : tables) {
+    lines.push_back({table.method, std::vector<const Cell*>(table.rows.size(), nullptr)});
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (table.columns[i].info.id == column.info.id)
+          lines.back().cells[row] = drawn(table.rows[row].cells[i]);
+  }
+  if (tables.empty()) return lines_figure(column.info, "", {}, {});
+  for (const CrossRow& row : tables.front().rows) bins.push_back(row.bin.label());
+  return lines_figure(column.info, label_of(tables.front().descriptor), bins, lines);
+}
+
+std::string history_figure(const History& history, const std::string& metric,
+                           const std::vector<std::string>& results) {
+  QuantityInfo info;
+  std::vector<CellLine> lines;
+  for (const HistoryCurve& curve : history.curves) {
+    if (curve.column.info.id != metric) continue;
+    info = curve.column.info;
+    lines.push_back({curve.method, std::vector<const Cell*>(results.size(), nullptr)});
+    for (const HistoryPoint& point : curve.points)
+      lines.back().cells[point.result] = drawn(point.cell);
+  }
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < results.size(); ++i) numbers.push_back(std::to_string(i + 1));
+  return lines_figure(info, join(results, ", "), numbers, lines);
 }
 
 std::string outcome_figure(const SummaryTable& summary) {

@@ -105,6 +105,17 @@ TEST(Figures, AMetricOverBinsIsALineThroughItsEstimates) {
   EXPECT_EQ(count(svg, ">b &amp; c</text>"), 1U);
 }
 
+TEST(Figures, AHistoryIsALineOverTheResults) {
+  const std::vector<ResultTable> results = {lengths(), lengths()};
+  ComparisonOptions options;
+  const std::string svg =
+      history_figure(build_history(results, {"success"}, options), "success", {"1-old", "2-new"});
+  // "a" succeeds in 4 of 5 runs of both, 48 pixels below the top; "b & c" in its only one.
+  EXPECT_EQ(count(svg, "points=\"137.5,98.0 317.5,98.0 \""), 1U) << svg;
+  EXPECT_EQ(count(svg, "points=\"142.5,50.0 322.5,50.0 \""), 1U) << svg;
+  EXPECT_EQ(count(svg, ">1-old, 2-new</text>"), 1U);
+}
+
 TEST(Figures, OutcomesAreShares) {
   const std::string svg = outcome_figure(build_summary(lengths(), {"success"}, {}));
   // 360 pixels: 4 of 5 runs of "a" succeed.

@@ -78,8 +78,10 @@ std::string render_latex(const Interpretation& interpretation);
 /// Address that a field of a table leads to, given the name of its column; empty for plain text.
 using FieldAddress =
     std::function<std::string(const std::string& column, const std::string& field)>;
-/// One page with the remarks and the tables, for A4 paper; self-contained but for the addresses.
+/// One page with the remarks, `figures` (SVG elements) and the tables, in the colors of the report,
+/// for A4 paper as well; self-contained but for the addresses.
 std::string render_html(const Interpretation& interpretation, const std::string& title,
-                        const FieldAddress& address_of = {});
+                        const FieldAddress& address_of = {},
+                        const std::vector<std::string>& figures = {});
 
 }  // namespace slalom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/history.h>
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/performance_profile.h>
 #include <slalom/analysis/summary.h>
@@ -25,6 +26,11 @@ std::string rank_figure(const MethodRanks& ranks);
 /// A metric over the bins of a descriptor, one specification of build_cross_tables(): a line per
 /// method through its estimates, with their intervals.
 std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column);
+
+/// A metric over results in their order, such as those of versions: a line per method through its
+/// estimates, with their intervals. `results` are their names.
+std::string history_figure(const History& history, const std::string& metric,
+                           const std::vector<std::string>& results);
 
 /// A bar per method, divided by the outcomes of its runs, success first.
 std::string outcome_figure(const SummaryTable& summary);
