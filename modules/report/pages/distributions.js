@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distributions of a metric by method: cumulative fractions, boxes, proportions, and runs over a second quantity.
+// Distributions of a metric by method: over bins, cumulative fractions, boxes, and runs over a second quantity.
 "use strict";
 
 // An axis from the least to the greatest of `values`, with round ticks.
@@ -13,6 +13,7 @@ function rangeAxis(label, values) {
   return Object.assign(axis, { ticks, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-6)) });
 }
 
+const isRate = (quantity) => quantity.kind === "rate";
 const axisLabel = (quantity) => quantity.name + unitText(quantity);
 
 // The fraction of the values that are at most x, per method.
@@ -43,18 +44,32 @@ function boxChart(quantity, values, groups) {
   return { picture, points };
 }
 
-// The fraction of the values that are 1, per method, as a bar.
-function proportionChart(groups) {
-  const row = 44, x = { label: "fraction of the values that are 1", low: 0, high: 1 };
-  const picture = chart(x, { label: "", low: 0, high: 1, ticks: [], digits: 0 }, [], CHART.top + CHART.bottom + row * groups.length);
-  groups.forEach(({ method, mean, n }, i) => {
-    const top = CHART.top + row * i;
-    picture.append(label(CHART.left + 4, top + 12, "start", `${methodLabel(method)}: ${countText({ mean, n })}`));
-    if (n > 0)
-      picture.append(svg("rect", { x: CHART.left, y: top + 18, width: Math.max(1, picture.toX(mean) - CHART.left), height: 16,
-                                   fill: report.methods[method].color }));
-  });
-  return picture;
+// The ends of what is drawn around the value of a group: the interval of a rate, where it is known, or the quartiles.
+const spreadOf = (group, rate) => (rate ? group.interval : group.quantiles && [group.quantiles[1], group.quantiles[3]]);
+
+// A line per method over the bins: the proportion of a rate with its interval, or the median with the quartiles. `groups`
+// has those of each bin by method.
+function binChart(quantity, across, titles, groups, methods) {
+  const rate = isRate(quantity), valueOf = (group) => (rate ? group.mean : group.quantiles && group.quantiles[2]);
+  const drawn = groups.flat().filter((group) => group.n > 0);
+  const y = rate ? fractionAxis("fraction of the runs") : rangeAxis("median, quartiles", drawn.flatMap((group) => spreadOf(group, rate)));
+  const x = { label: axisLabel(across), low: 0, high: titles.length, ticks: [] };
+  const place = (bin, at) => bin + 0.5 + ((at - (methods.length - 1) / 2) * 0.5) / Math.max(methods.length, 4);
+  const series = methods.map((method, at) => ({ label: methodLabel(method), color: report.methods[method].color,
+    points: groups.map((row, bin) => [place(bin, at), valueOf(row[at])]).filter(([, value]) => value !== null) }));
+  const picture = chart(x, y, series, 340), bottom = 340 - CHART.bottom;
+  const toY = (value) => bottom - ((value - y.low) / (y.high - y.low)) * (bottom - CHART.top);
+  titles.forEach((title, bin) => picture.append(label(picture.toX(bin + 0.5), bottom + 17, "middle", title)));
+  groups.forEach((row, bin) => row.forEach((group, at) => {
+    if (group.n === 0) return;
+    const cx = picture.toX(place(bin, at)), spread = spreadOf(group, rate), stroke = series[at].color, text = (value) => fixed(value, rate ? 2 : 3);
+    picture.append(svg("g", { stroke, "stroke-width": 1.6 },
+      svg("title", {}, `${series[at].label}, ${titles[bin]}: ${text(valueOf(group))}${spread ? " [" + spread.map(text).join(", ") + "]" : ""}, ` +
+                       (rate ? countText(group) : "n=" + group.n)),
+      spread ? svg("line", { x1: cx, x2: cx, y1: toY(spread[0]), y2: toY(spread[1]) }) : null,
+      svg("circle", { cx, cy: toY(valueOf(group)), r: 4, fill: stroke })));
+  }));
+  return [picture, legend(series)];
 }
 
 // Runs by the quantity `across` and `quantity`; those without a value of the latter are in a strip at the bottom.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs as points of a chart: drawn as one path per method and kind of outcome, found by the pointer or by keys, opened by a click.
+// Runs as points of a chart: drawn as one path per method and kind of outcome, found by the pointer or by keys, opened by a
+// click, selected by dragging.
 "use strict";
 
 // The marks of the kinds of outcomes, as in the pictures of scenarios.
@@ -28,8 +29,41 @@ function drawMarks(points) {
   return [...paths.values()].map(({ color, kind, d }) => svg("path", { class: markClass(kind), d: d.join(""), stroke: color }));
 }
 
+// Coordinates of the chart of an event.
+function chartPoint(picture, event) {
+  const box = picture.getBoundingClientRect(), scale = CHART.width / box.width;
+  return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+}
+
+// Dragging draws a box, and calls `select` with the runs of the points in it. Returns whether the last press was such a drag.
+function brushMarks(picture, points, select) {
+  const box = svg("rect", { class: "brush", visibility: "hidden" });
+  let from = null, dragged = false;
+  const between = (a, b, value) => Math.min(a, b) <= value && value <= Math.max(a, b);
+  const finish = (event) => {
+    const to = chartPoint(picture, event);
+    if (from && dragged) select(points.filter(({ x, y }) => between(from[0], to[0], x) && between(from[1], to[1], y)).map(({ run }) => run));
+    from = null;
+  };
+  picture.addEventListener("pointerdown", (event) => {
+    [from, dragged] = [chartPoint(picture, event), false];
+    window.addEventListener("pointerup", finish, { once: true });  // also outside of the chart
+  });
+  picture.addEventListener("pointermove", (event) => {
+    const to = chartPoint(picture, event);
+    if (from === null || (!dragged && Math.hypot(to[0] - from[0], to[1] - from[1]) < 6)) return;
+    dragged = true;
+    for (const [key, value] of Object.entries({ visibility: "visible", x: Math.min(from[0], to[0]), y: Math.min(from[1], to[1]),
+                                                width: Math.abs(to[0] - from[0]), height: Math.abs(to[1] - from[1]) }))
+      box.setAttribute(key, value);
+  });
+  picture.addEventListener("pointercancel", () => { from = null; });
+  picture.append(box);
+  return () => dragged;
+}
+
 // Shows the nearest point under the pointer, or the next one by arrow keys, in `note`; a click or Enter opens its run.
-function pickMarks(picture, points, note, textOf) {
+function pickMarks(picture, points, note, textOf, wasDragged) {
   const ring = svg("circle", { class: "ring", r: 7, visibility: "hidden" });
   let at = -1;
   const order = points.slice().sort((a, b) => a.x - b.x || a.y - b.y);
@@ -43,8 +77,7 @@ function pickMarks(picture, points, note, textOf) {
     note.replaceChildren(html("a", { href: runAddress(order[at].run), tabindex: "-1" }, textOf(order[at].run)));
   };
   const nearest = (event) => {
-    const box = picture.getBoundingClientRect(), scale = CHART.width / box.width;
-    const x = (event.clientX - box.left) * scale, y = (event.clientY - box.top) * scale;
+    const [x, y] = chartPoint(picture, event);
     let found = -1, least = 15 * 15;  // square pixels
     order.forEach((point, i) => {
       const distance = (point.x - x) ** 2 + (point.y - y) ** 2;
@@ -52,9 +85,13 @@ function pickMarks(picture, points, note, textOf) {
     });
     return found;
   };
-  const open = () => { if (at >= 0) location.href = runAddress(order[at].run); };
+  const open = () => { if (at >= 0) note.querySelector("a").click(); };
   picture.addEventListener("pointermove", (event) => show(nearest(event)));
-  picture.addEventListener("click", (event) => { show(nearest(event)); open(); });
+  picture.addEventListener("click", (event) => {
+    if (wasDragged()) return;
+    show(nearest(event));
+    open();
+  });
   picture.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (event.key === "Enter") open();
@@ -66,10 +103,11 @@ function pickMarks(picture, points, note, textOf) {
   picture.append(ring);
 }
 
-// A chart of points with the text of the chosen one below it.
-function markChart(picture, points, textOf) {
-  const note = html("p", { class: "support", role: "status" }, "Point at a run, or move with the arrow keys; a click or Enter opens it.");
+// A chart of points with the text of the chosen one below it; `select` gets the runs of a dragged box.
+function markChart(picture, points, textOf, select) {
+  const note = html("p", { class: "support", role: "status" }, "Point at a run, or move with the arrow keys; a click or Enter opens it. " +
+                    "Drag a box to see the scenarios of its runs.");
   picture.append(...drawMarks(points));
-  pickMarks(picture, points, note, textOf);
+  pickMarks(picture, points, note, textOf, brushMarks(picture, points, select));
   return [picture, note];
 }

@@ -4,6 +4,7 @@
 #include <slalom/analysis/cell_json.h>
 #include <slalom/analysis/common_scenarios.h>
 #include <slalom/analysis/descriptor_map.h>
+#include <slalom/analysis/distributions.h>
 #include <slalom/analysis/failure_taxonomy.h>
 #include <slalom/analysis/findings.h>
 #include <slalom/analysis/paired_comparison.h>
@@ -298,6 +299,8 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
                       {"slalom", version()},
                       {"campaign", campaign_name(runs.manifest)},
                       {"confidence", input.options.analysis.confidence},
+                      {"z", boost::math::quantile(distributions::Normal(),
+                                                  0.5 + input.options.analysis.confidence / 2)},
                       {"methods", make.methods()},
                       {"outcomes", input.summary.outcomes},
                       {"columns", make.columns()},
