@@ -16,6 +16,7 @@
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/read_file.h>
+#include <slalom/core/scratch_folder.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/falsification/cluster_report.h>
@@ -97,15 +98,14 @@ void report_one(const std::string& path, const ResultTable& runs, const std::str
 }
 
 void report_several(const std::vector<std::string>& paths, const std::vector<ResultTable>& results,
-                    const Arguments& arguments) {
+                    const std::string& output, const Arguments& arguments) {
   AnalysisRequest request;
   request.rows = arguments.rows;
   request.metrics = arguments.columns;
   request.confidence = arguments.confidence;
-  report_history(paths, results, request, arguments.output,
-                 [&](std::size_t i, const std::string& folder) {
-                   report_one(paths[i], results[i], folder, arguments);
-                 });
+  report_history(paths, results, request, output, [&](std::size_t i, const std::string& folder) {
+    report_one(paths[i], results[i], folder, arguments);
+  });
 }
 
 void report_verb(const Arguments& arguments) {
@@ -116,13 +116,17 @@ void report_verb(const Arguments& arguments) {
     results.push_back(read_results(paths.back()));
     warn_of_missing(paths.back(), results.back());
   }
+  const std::filesystem::path output = arguments.output;
+  const bool is_packed = output.extension() == ".html";
+  const ScratchFolder scratch;
+  const std::string folder = is_packed ? scratch.path() : output.string();
   if (paths.size() == 1)
-    report_one(paths[0], results[0], arguments.output, arguments);
+    report_one(paths[0], results[0], folder, arguments);
   else
-    report_several(paths, results, arguments);
+    report_several(paths, results, folder, arguments);
+  if (is_packed) write_file_atomically(output.string(), packed_report(folder));
   if (arguments.quiet) return;
-  const std::filesystem::path index = std::filesystem::path(arguments.output) / "index.html";
-  std::cerr << "report: " << index.string() << "\n";
+  std::cerr << "report: " << (is_packed ? output : output / "index.html").string() << "\n";
 }
 
 void show_verb(const Arguments& arguments) {
@@ -160,7 +164,9 @@ void define_report(CLI::App& app, Arguments& arguments) {
           "of successive versions: a report of each, and what changed")
       ->required();
   add_table_options(*verb, arguments);
-  verb->add_option("-o,--output", arguments.output, "Folder to write to")->required();
+  verb->add_option("-o,--output", arguments.output,
+                   "Folder to write to, or a file FILE.html that contains all of it, for mail")
+      ->required();
   verb->add_flag("--quiet", arguments.quiet, "No messages");
   verb->callback([&arguments] { report_verb(arguments); });
 }

@@ -196,10 +196,10 @@ class Results(Columns):
         columns: Optional[Sequence[str]] = None,
         confidence: Optional[float] = None,
     ) -> str:
-        """Writes a report of web pages into the folder, and returns the path of the first one."""
+        """Writes a report of web pages into the folder, or into one file FILE.html, and returns the path of the first page."""
         options = dict(rows=rows, columns=columns, confidence=confidence, output=os.path.abspath(folder))
         _analyze("report", [self], options)
-        return os.path.join(folder, "index.html")
+        return folder if folder.endswith(".html") else os.path.join(folder, "index.html")
 
     def figure(
         self,

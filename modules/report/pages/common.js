@@ -29,6 +29,7 @@ const plural = (n, noun) => `${n} ${noun}${n === 1 ? "" : "s"}`;
 
 // A script that calls a function of the page with data: scripts can be loaded from a local file, JSON cannot.
 function loadScript(source, failed) {
+  if (typeof loadPacked === "function") return loadPacked(source, failed);
   const script = html("script", { src: source });
   script.onerror = failed;
   document.head.append(script);

@@ -3,7 +3,8 @@
 // and speed, and all values. The data is in data/s-HASH8.js, which calls slalomScenario(), and data/summary.js.
 "use strict";
 
-const state = { scenario: null, run: null, time: 0, playing: false, last: 0 };
+// `rival`: the run in the same scenario that is compared, at the same time; null for none.
+const state = { scenario: null, run: null, rival: null, time: 0, playing: false, last: 0 };
 
 function fail(message) {
   element("problem").textContent = message;
@@ -45,7 +46,7 @@ function decodeCells(grid) {
 
 // The state of the run at a time, interpolated linearly between the stored samples.
 function stateAt(run, time) {
-  let i = 1;
+  let i = Math.min(1, run.t.length - 1);
   while (i < run.t.length - 1 && run.t[i] < time) ++i;
   const j = Math.max(0, i - 1), span = run.t[i] - run.t[j];
   const fraction = span > 0 ? Math.min(1, Math.max(0, (time - run.t[j]) / span)) : 0;
@@ -53,29 +54,32 @@ function stateAt(run, time) {
   return { x: mix(run.x), y: mix(run.y), v: mix(run.v), w: mix(run.w), c: mix(run.c), h: mix(run.h) };
 }
 
-function showTime() {
-  const { scenario, run, time } = state;
-  if (!run.t.length) return;
-  const current = stateAt(run.t.length > 1 ? run : repeatSample(run), time);
-  moveMovers(scenario, run.people, time);
-  drawScan(scenario, current.x, current.y, current.h);
-  scenario.layers.robot.setAttribute("d", robotPath(scenario, current.x, current.y, current.h));
-  element("time").value = String(time);
-  element("state").textContent =
-    `t ${time.toFixed(2)} s · x ${current.x.toFixed(2)} m, y ${current.y.toFixed(2)} m · v ${current.v.toFixed(2)} m/s, ` +
-    `w ${current.w.toFixed(2)} rad/s · clearance ${current.c.toFixed(2)} m`;
-  for (const id of ["clearance", "speed"]) moveCursor(id, time);
+const endOf = (run) => (run && run.t.length > 0 ? run.t[run.t.length - 1] : 0);
+const endOfBoth = () => Math.max(endOf(state.run), endOf(state.rival));
+
+// Draws the robot of a run at a time and describes its state.
+function showRobot(layer, text, run, time) {
+  const { x, y, v, w, c, h } = stateAt(run, time);
+  layer.setAttribute("d", robotPath(state.scenario, x, y, h));
+  text.textContent = (state.rival ? runKey(run) + ": " : "") + `t ${Math.min(time, endOf(run)).toFixed(2)} s · x ${x.toFixed(2)} m, ` +
+    `y ${y.toFixed(2)} m · v ${v.toFixed(2)} m/s, w ${w.toFixed(2)} rad/s · clearance ${c.toFixed(2)} m`;
+  return { x, y, h };
 }
 
-function repeatSample(run) {
-  const twice = {};
-  for (const key of ["t", "x", "y", "h", "v", "w", "c"]) twice[key] = [run[key][0], run[key][0]];
-  return twice;
+function showTime() {
+  const { scenario, run, rival, time } = state;
+  if (!run.t.length) return;
+  moveMovers(scenario, run.people, time);
+  const { x, y, h } = showRobot(scenario.layers.robot, element("state"), run, time);
+  drawScan(scenario, x, y, h);
+  if (rival) showRobot(scenario.layers.rivalRobot, element("rival_state"), rival, time);
+  element("time").value = String(time);
+  for (const id of ["clearance", "speed"]) moveCursor(id, time);
 }
 
 function play(now) {
   if (!state.playing) return;
-  const end = state.run.t[state.run.t.length - 1] || 0;
+  const end = endOfBoth();
   state.time = Math.min(end, state.time + ((now - state.last) / 1000) * Number(element("playback_speed").value));
   state.last = now;
   showTime();
@@ -87,16 +91,18 @@ function setPlaying(playing) {
   state.playing = playing;
   element("play").textContent = playing ? "Pause" : "Play";
   if (!playing) return;
-  if (state.time >= (state.run.t[state.run.t.length - 1] || 0)) state.time = 0;
+  if (state.time >= endOfBoth()) state.time = 0;
   state.last = performance.now();
   requestAnimationFrame(play);
 }
 
 // ---- plots under the picture ------------------------------------------------------------------
 
-function drawPlot(id, run, values, label) {
-  const plot = chart({ label: "simulated time (s)", low: 0, high: run.t[run.t.length - 1] || 1 }, axisOf(label, values),
-                     [{ label, color: run.color, points: values.map((value, i) => [run.t[i], value]) }], 170);
+// Draws the values `key` of both runs over time.
+function drawPlot(id, key, label) {
+  const runs = [state.rival, state.run].filter(Boolean);
+  const plot = chart({ label: "simulated time (s)", low: 0, high: endOfBoth() || 1 }, axisOf(label, runs.flatMap((run) => run[key])),
+                     runs.map((run) => ({ label: runKey(run), color: run.color, points: run[key].map((value, i) => [run.t[i], value]) })), 170);
   plot.append(svg("line", { y1: CHART.top, y2: 170 - CHART.bottom, class: "cursor" }));
   element(id).replaceChildren(plot);
 }
@@ -110,11 +116,14 @@ function moveCursor(id, time) {
 
 function runKey(run) { return run.method + "/" + run.repetition; }
 
-function showValues(scenario, run) {
+function showValues(scenario) {
+  const runs = [state.run, state.rival].filter(Boolean);
+  const cell = (value, unit) => (typeof value === "number"
+    ? html("td", {}, value + (unit === "-" ? "" : " " + unit)) : html("td", { class: "na" }, "NA: " + scenario.reasons[value[0]]));
+  element("compared").replaceChildren(...(state.rival ? [html("tr", {}, html("th"), runs.map((run) => html("th", {}, runKey(run))))] : []));
   element("values").replaceChildren(...report.metrics.map(({ id, name, unit }, i) => {
-    const value = run.values[i], explore = "explore.html" + addressOf("", { metric: id });
-    return html("tr", {}, html("th", { title: name }, html("a", { href: explore }, id)), typeof value === "number"
-      ? html("td", {}, value + (unit === "-" ? "" : " " + unit)) : html("td", { class: "na" }, "NA: " + scenario.reasons[value[0]]));
+    const explore = "explore.html" + addressOf("", { metric: id });
+    return html("tr", {}, html("th", { title: name }, html("a", { href: explore }, id)), runs.map((run) => cell(run.values[i], unit)));
   }));
   oneTabStop(element("values").parentNode);
 }
@@ -126,23 +135,28 @@ function showRunList(scenario) {
     html("span", { class: "soft" }, " " + run.outcome))));
 }
 
+function drawTrack(track, robot, run) {
+  track.setAttribute("d", run ? pathOf(state.scenario, run.x, run.y) : "");
+  for (const layer of [track, robot]) layer.setAttribute("stroke", run ? run.color : "none");
+  robot.setAttribute("fill", run ? run.color : "none");
+}
+
 function drawTracks(scenario) {
-  const { track, others, people, robot } = scenario.layers, run = state.run;
-  track.setAttribute("d", pathOf(scenario, run.x, run.y));
-  track.setAttribute("stroke", run.color);
-  robot.setAttribute("stroke", run.color);
-  robot.setAttribute("fill", run.color);
+  const { track, rivalTrack, rivalRobot, others, people, robot } = scenario.layers, run = state.run;
+  drawTrack(track, robot, run);
+  drawTrack(rivalTrack, rivalRobot, state.rival);
   people.replaceChildren(...run.people.map((person) => drawMover(scenario, person, PERSON)));
-  const shown = element("others").checked ? scenario.runs.filter((other) => other !== run) : [];
+  const shown = element("others").checked ? scenario.runs.filter((other) => other !== run && other !== state.rival) : [];
   others.replaceChildren(...shown.map((other) => svg("path", { d: pathOf(scenario, other.x, other.y), stroke: other.color })));
   showLegend();
 }
 
-const showLegend = () => element("legend").replaceChildren(...sceneLegend(state.scenario, state.run));
+const showLegend = () => element("legend").replaceChildren(...sceneLegend(state.scenario, state.run, state.rival));
 
-function showRun(run) {
+function showRun(run, rival) {
   const scenario = state.scenario;
   state.run = run;
+  state.rival = rival;
   state.time = 0;
   setPlaying(false);
   document.title = scenario.id + "/" + runKey(run) + " - Slalom";
@@ -154,14 +168,19 @@ function showRun(run) {
     `slalom-simulate verify ${shellWord(report.results)} --run ${shellWord(scenario.id + "/" + runKey(run))}`));
   element("method").href = "method.html#" + (report.methods.findIndex(({ name }) => name === run.method) + 1);
   const rawlog = element("rawlog");
-  rawlog.hidden = !run.rawlog;
+  rawlog.hidden = !run.rawlog || typeof loadPacked === "function";
   if (run.rawlog) rawlog.querySelector("a").href = run.rawlog;
-  element("time").max = String(run.t[run.t.length - 1] || 0);
+  const choices = scenario.runs.filter((other) => other !== run && other.t.length > 0);
+  element("rival").replaceChildren(html("option", { value: "" }, "no other run"), ...choices.map((other) =>
+    html("option", { value: runKey(other) }, runKey(other) + ": " + other.outcome)));
+  element("rival").value = rival ? runKey(rival) : "";
+  element("rival_state").textContent = "";
+  element("time").max = String(endOfBoth());
   drawTracks(scenario);
   fitRun();
-  drawPlot("clearance", run, run.c, "clearance (m)");
-  drawPlot("speed", run, run.v, "speed (m/s)");
-  showValues(scenario, run);
+  drawPlot("clearance", "c", "clearance (m)");
+  drawPlot("speed", "v", "speed (m/s)");
+  showValues(scenario);
   showRunList(scenario);
   showTime();
   document.body.dataset.ready = runKey(run);
@@ -179,16 +198,17 @@ function slalomScenario(data) {
 }
 
 function requested() {
-  const [id, method, repetition] = location.hash.slice(1).split("/").map(decodeURIComponent);
-  return { id, key: method + "/" + repetition };
+  const { place, settings } = readAddress(), [id = "", method, repetition] = place.split("/").map(decodeURIComponent);
+  return { id, key: method + "/" + repetition, rival: settings.with };
 }
 
 function selectRun() {
-  const { key } = requested(), run = state.scenario.runs.find((candidate) => runKey(candidate) === key);
+  const { key, rival } = requested(), find = (wanted) => state.scenario.runs.find((candidate) => runKey(candidate) === wanted);
+  const run = find(key);
   if (!run) return fail("This report does not contain run " + requested().id + "/" + key + ".");
   element("problem").hidden = true;
   element("viewer").hidden = false;
-  showRun(run);
+  showRun(run, rival && rival !== key ? find(rival) || null : null);
 }
 
 function load() {
@@ -208,6 +228,7 @@ element("play").addEventListener("click", () => setPlaying(!state.playing));
 element("time").addEventListener("input", (event) => { state.time = Number(event.target.value); showTime(); });
 element("scan").addEventListener("change", () => { showTime(); showLegend(); });
 element("others").addEventListener("change", () => drawTracks(state.scenario));
+element("rival").addEventListener("change", (event) => { location.hash = addressOf(readAddress().place, { with: event.target.value }); });
 window.addEventListener("hashchange", load);
 listenToView();
 load();

@@ -61,6 +61,7 @@ const PERSON = { title: "person ", fill: "#a78bda", stroke: "#4b2e83" };
 // The lines of the picture, as its legend shows them.
 const LOOKS = {
   track: { fill: "none", "stroke-width": 2.4 }, others: { fill: "none", "stroke-width": 1.6, opacity: 0.55 },
+  rival: { fill: "none", "stroke-width": 2.4, "stroke-dasharray": "6 3" },
   shortest: { class: "reference", "stroke-width": 1.3, "stroke-dasharray": "7 3", title: "shortest path" },
   safest: { class: "reference", "stroke-width": 1.3, "stroke-dasharray": "2 3", title: "safest path" },
   scan: { fill: "#f0b429", "fill-opacity": 0.25, stroke: "#c98a00", "stroke-width": 0.8 },
@@ -93,6 +94,7 @@ function drawScenario(scenario) {
                    track: svg("path", LOOKS.track),
                    movers: svg("g", {}, (scenario.movers || []).map((mover) => drawMover(scenario, mover, MOVER))),
                    people: svg("g", {}),  // of the shown run
+                   rivalTrack: svg("path", LOOKS.rival), rivalRobot: svg("path", { "fill-opacity": 0.15, "stroke-width": 1.8 }),
                    robot: svg("path", { "fill-opacity": 0.35, "stroke-width": 1.8 }) };
   scenario.layers = layers;
   element("scene").replaceChildren(svg("rect", { class: "workspace", width, height }),
@@ -101,7 +103,7 @@ function drawScenario(scenario) {
     svg("g", {}, reference(scenario.safest, LOOKS.safest), reference(scenario.shortest, LOOKS.shortest)),
     svg("rect", { ...LOOKS.border, width, height }), svg("g", LOOKS.goal, svg("circle", { cx: gx, cy: gy, r }),
         svg("path", { d: `M${gx - r} ${gy}h${2 * r}M${gx} ${gy - r}v${2 * r}` }), goalHeading(scenario, gx, gy, 1.6 * r)),
-    layers.scan, layers.movers, layers.people, layers.others, layers.track, layers.robot);
+    layers.scan, layers.movers, layers.people, layers.others, layers.rivalTrack, layers.track, layers.rivalRobot, layers.robot);
 }
 
 function robotPath(scenario, x, y, heading) {
@@ -133,8 +135,8 @@ function drawScan(scenario, x, y, heading) {
   scenario.layers.scan.setAttribute("d", fans.join(""));
 }
 
-// The legend of what is drawn for a run.
-function sceneLegend(scenario, run) {
+// The legend of what is drawn for a run, and for the one that it is compared with, if any.
+function sceneLegend(scenario, run, rival) {
   const item = (text, ...shapes) => html("span", {}, svg("svg", { width: 34, height: 12, "aria-hidden": "true" }, shapes), text);
   const lineOf = (look, text) => item(text, svg("path", { d: "M1 6H33", ...look, title: null }));
   const area = (look, text) => item(text, svg("rect", { x: 1, y: 1, width: 32, height: 10, ...look }));
@@ -142,6 +144,7 @@ function sceneLegend(scenario, run) {
     item(text, svg("path", { d: "M1 6H33", stroke, "stroke-dasharray": "4 2" }), svg("circle", { cx: 17, cy: 6, r: 5, fill, stroke }));
   const shown = (key) => element(key).checked;
   return [lineOf({ ...LOOKS.track, stroke: run.color }, runKey(run) + ", robot and its heading"),
+    rival ? lineOf({ ...LOOKS.rival, stroke: rival.color }, runKey(rival) + ", at the same time") : "",
     shown("others") && scenario.runs.length > 1 ? lineOf({ ...LOOKS.others, stroke: "currentColor" }, "other runs here, in the colors of their list") : "",
     scenario.shortest ? lineOf(LOOKS.shortest, LOOKS.shortest.title) : "", scenario.safest ? lineOf(LOOKS.safest, LOOKS.safest.title) : "",
     shown("scan") ? area(LOOKS.scan, "scan") : "", (scenario.movers || []).length > 0 ? disc(MOVER, "moving obstacle, its path") : "",

@@ -22,12 +22,12 @@ function fitWorkspace() {
 
 // The path of the run and the goal with a margin, as far as the workspace reaches.
 function fitRun() {
-  const { scenario, run } = state, { bounds, scale } = scenario;
+  const { scenario, run, rival } = state, { bounds, scale } = scenario, other = rival || { x: [], y: [] };
   if (run.x.length === 0) return fitWorkspace();
   const range = (values, low, high) =>
     [Math.max(low - BORDER, Math.min(...values) - FIT_MARGIN), Math.min(high + BORDER, Math.max(...values) + FIT_MARGIN)];
-  const [left, right] = range([...run.x, scenario.goal[0]], bounds[0], bounds[2]);
-  const [bottom, top] = range([...run.y, scenario.goal[1]], bounds[1], bounds[3]);
+  const [left, right] = range([...run.x, ...other.x, scenario.goal[0]], bounds[0], bounds[2]);
+  const [bottom, top] = range([...run.y, ...other.y, scenario.goal[1]], bounds[1], bounds[3]);
   showView([toX(scenario, left), toY(scenario, top), (right - left) * scale, (top - bottom) * scale]);
 }
 

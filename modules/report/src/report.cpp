@@ -205,7 +205,7 @@ void write_report(const std::string& results, ResultTable runs, const ReportOpti
                            runs_text.substr(1, runs_text.size() - 2) + "," + values.substr(1) +
                            "\n");
   for (const auto& [name, text] : report_pages())
-    if (name != "cluster.html" || !options.clusters.empty())
+    if (name.rfind("packed.", 0) != 0 && (name != "cluster.html" || !options.clusters.empty()))
       write(name, name == "index.html" ? index_page(text, input) : text);
 }
 

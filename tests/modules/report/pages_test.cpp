@@ -257,6 +257,8 @@ TEST_F(ReportPages, AnyMetricByAnyDescriptorLeadsToItsRuns) {
   write(make_results(12));
   const std::string page = open("explore.html#metric=optimality&by=density");
   EXPECT_EQ(count(page, "<h4>Optimality by Density</h4>"), 1u);
+  EXPECT_EQ(count(page, ">good, "), 4u) << "a median per quarter";
+  EXPECT_EQ(count(page, ": 0.900 [0.900, 0.900], n=3</title>"), 4u) << "with its quartiles";
   EXPECT_EQ(count(page, "NA: 12 collision"), 1u) << "of <bad>, over all bins";
   EXPECT_EQ(count(page, "NA: 3 collision"), 4u) << "of <bad>, in each quarter";
   EXPECT_EQ(count(page, "<span class=\"interval\">0.900 · 0.900 · 0.900</span>"), 5u) << "of good";
@@ -281,10 +283,78 @@ TEST_F(ReportPages, ARateIsExploredByItsProportions) {
   const std::string page = open("explore.html#metric=success&by=density");
   EXPECT_EQ(count(page, ">3/3<"), 4u) << "of good, in each quarter";
   EXPECT_EQ(count(page, ">0/12<"), 1u) << "of <bad>, over all bins";
-  EXPECT_EQ(count(page, "good: 12/12</text>"), 1u) << "a bar per method";
-  EXPECT_EQ(count(page, "<h4>Proportion by method</h4>"), 1u);
+  EXPECT_EQ(count(page, "<h4>Success by Density</h4>"), 1u);
+  // Wilson's interval of 3 of 3 with z = 1.96: (1 + z^2 / 6) / (1 + z^2 / 3) = 0.7192, less
+  // z / (1 + z^2 / 3) z / 6 = 0.2808.
+  EXPECT_EQ(count(page, ": 1.00 [0.44, 1.00], 3/3</title>"), 4u) << "of good, in each quarter";
+  EXPECT_EQ(count(page, "<span class=\"interval\">[0.44, 1.00]</span>"), 4u);
   EXPECT_EQ(count(page, "Cumulative distribution"), 0u);
-  EXPECT_EQ(count(page, "class=\"interval\""), 0u) << "no quartiles";
+  EXPECT_EQ(count(page, "quartiles"), 0u);
+}
+
+TEST_F(ReportPages, TwoRunsOfAScenarioAreComparedAtTheSameTime) {
+  write(make_results(1));
+  const std::string good =
+      all_matches(open("runs.html"), "href=\"(run\\.html#[0-9a-f]{8}/good/0)\"").at(0);
+  const std::string alone = open(good), both = open(good + "&with=%3Cbad%3E%2F0");
+  EXPECT_EQ(count(alone, "<option value=\"&lt;bad&gt;/0\">&lt;bad&gt;/0: collision</option>"), 1u);
+  EXPECT_EQ(count(alone, "&lt;bad&gt;/0, at the same time"), 0u);
+  EXPECT_EQ(count(both, "<h1 id=\"title\">room 0: good/0</h1>"), 1u);
+  EXPECT_EQ(count(both, "&lt;bad&gt;/0, at the same time"), 1u) << "in the legend";
+  EXPECT_EQ(count(both, "<title>good/0</title>"), 2u) << "curves of clearance and speed";
+  EXPECT_EQ(count(both, "<title>&lt;bad&gt;/0</title>"), 2u);
+  EXPECT_EQ(count(both, ">good/0: t 0.00 s"), 1u);
+  EXPECT_EQ(count(both, ">&lt;bad&gt;/0: t 0.00 s"), 1u);
+  EXPECT_EQ(count(both, "<tr><th></th><th>good/0</th><th>&lt;bad&gt;/0</th></tr>"), 1u);
+  EXPECT_EQ(count(open(good + "&with=nobody%2F0"), ", at the same time"), 0u);
+}
+
+TEST_F(ReportPages, OneFileHasAllPagesAndTheirData) {
+  write(make_results(3, "a</script>b"));
+  const std::string hash = read_results(results_path()).scenario_hashes[0].substr(0, 8);
+  std::string packed = packed_report(report_folder().string());
+  std::filesystem::remove_all(report_folder());
+  std::filesystem::create_directory(report_folder());
+  // The pages are in a frame: what they contain is told to the document around, which is seen. The
+  // budget of virtual time ends before messages arrive, unless its timers have work until then.
+  packed.insert(packed.find("show(location.hash"), R"js(
+files["packed.js"] += `
+addEventListener("load", () => setInterval(() => document.querySelector(wanted[packedPage]) &&
+  top.postMessage({ body: document.body.innerHTML }, "*"), 20));
+const wanted = { "index.html": "[data-failure] svg", "run.html": ".workspace", "runs.html": "td" };`;
+addEventListener("message", ({ data }) => {
+  if (data.body) document.body.append(document.createElement("main"));
+  if (data.body) document.querySelector("main").innerHTML = data.body;
+});
+setInterval(() => { for (let i = 0; i < 3e6 && !document.querySelector("main"); ++i); }, 4);
+)js");
+  std::ofstream(report_folder() / "all.html") << packed;
+  const std::string index = open("all.html"), run = open("all.html#run.html#" + hash + "/good/0");
+  EXPECT_EQ(count(index, "<title>&lt;campaign&gt; &amp; co - Slalom report</title>"), 1u);
+  EXPECT_EQ(count(index, "<h2 id=\"summary\">"), 1u) << "drawn by the scripts";
+  EXPECT_EQ(count(index, "data-failure=\"0\"><svg"), 1u) << "loaded afterwards";
+  EXPECT_EQ(count(run, "<title>" + hash + "/good/0 - Slalom</title>"), 1u);
+  EXPECT_EQ(count(run, "class=\"workspace\""), 1u) << "drawn from the data of the scenario";
+  EXPECT_EQ(count(open("all.html#runs.html#filter=good"), "<td>good</td>"), 3u);
+}
+
+TEST_F(ReportPages, ABoxAroundRunsShowsTheirScenarios) {
+  write(make_results(12));
+  // Densities of 0 to 0.011: the axis has 2 % more at both ends, so that half of it has 6
+  // scenarios.
+  std::ofstream(report_folder() / "data/values.js", std::ios::app) << R"js(
+addEventListener("load", () => {
+  const picture = [...document.querySelectorAll(".chart-card")].find((one) => one.textContent.includes("Runs over")).querySelector("svg");
+  const box = picture.getBoundingClientRect();
+  const send = (name, x, y) => picture.dispatchEvent(new PointerEvent(name, { bubbles: true, clientX: box.left + x * box.width, clientY: box.top + y * box.height }));
+  send("pointerdown", 0.02, 0.02); send("pointermove", 0.3, 0.5); send("pointerup", 0.53, 0.98);
+});
+)js";
+  const std::string page = open("explore.html#metric=success&by=density");
+  EXPECT_EQ(count(page, "<h4>12 selected runs in 6 scenarios</h4>"), 1u);
+  for (int i = 0; i < 12; ++i)
+    EXPECT_EQ(count(page, "<h4>room " + std::to_string(i) + "</h4>"), i < 6 ? 1u : 0u) << i;
+  EXPECT_EQ(count(page, "<div class=\"picture\"><svg"), 6u);
 }
 
 TEST_F(ReportPages, TheIndexListsClustersOfFailures) {

@@ -41,6 +41,10 @@ ReportOptions report_options(const ResultTable& runs);
 void write_report(const std::string& results, ResultTable runs, const ReportOptions& options,
                   const std::string& directory);
 
+/// One page with all pages and data of the report, or of the reports, that write_report() has
+/// written into `directory`: for mail. Links to rawlogs are left out. Throws Error (File).
+std::string packed_report(const std::string& directory);
+
 /// Removes what write_report() has written into `directory`, if anything. Throws Error (Job).
 void remove_report(const std::string& directory);
 
