@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared parts of the scripts that make tables of docs: limits.py, people.py, transport.py, tuned.py."""
+"""Shared parts of the scripts that make tables of docs: claims.py, limits.py, people.py, transport.py, tuned.py. Environment
+variable: SLALOM_BIN, the folder of the programs."""
 
 import json
 import os
@@ -9,7 +10,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BIN = ROOT / "build/release/bin"
+BIN = pathlib.Path(os.environ.get("SLALOM_BIN", ROOT / "build/release/bin"))
 CAMPAIGN = ROOT / "configs/baselines.ini"
 JOBS = os.environ.get("JOBS", "2")
 
