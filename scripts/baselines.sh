@@ -5,13 +5,13 @@
 # tables are written to FOLDER/PAGE.md. Environment variables: BARN, the folder of that data set; METHODS, a list with
 # commas (those of configs/baselines.ini by default); JOBS, the number of workers (2).
 # Each method has its own result file in FOLDER/PAGE, which is used again if it is complete: a new method costs its own
-# runs only. Delete the files of methods that have changed.
+# runs only. Delete the files of methods that have changed. Beside each is its bundle, an entry of a registry.
 set -euo pipefail
 [ $# -ge 1 ] || { sed -n '3,8s/^# //p' "$0" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 folder=$1 pages=("${@:2}")
 [ ${#pages[@]} -gt 0 ] || pages=(barn slalom-small slalom-standard slalom-dynamic-small slalom-dynamic-standard)
-bin=build/release/bin
+bin=${SLALOM_BIN:-build/release/bin}
 all_methods=$(sed -n 's/^methods *= *//p' configs/baselines.ini)
 tracked=rollout_tracks # only for scenarios with movers
 
@@ -87,6 +87,7 @@ for page in "${pages[@]}"; do
   for method in $methods; do
     "$bin/slalom-simulate" run -c configs/baselines.ini --scenarios "$list" -o "$folder/$page/$method.results" \
       -j "${JOBS:-2}" --quiet --set limits.run_wall_time=3600 --set "campaign.methods=$method" "${options[@]}"
+    "$bin/slalom-simulate" bundle "$folder/$page/$method.results" -o "$folder/$page/$method.slalom"
   done
   table "$page" all "$columns" >"$folder/$page/all.csv"
   table "$page" "$bins" "${metrics// /,}" >"$folder/$page/bins.csv"

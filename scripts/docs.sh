@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the documents and the API reference as a site that can be read and searched as files, without a network:
 # scripts/docs.sh [FOLDER], default build/release/site (packages doxygen, mkdocs, mkdocs-material and libjs-mathjax). A
-# warning is an error. SLALOM_API=OFF leaves out the reference.
+# warning is an error. SLALOM_API=OFF leaves out the reference. The site contains a registry of the shipped methods in
+# slalom-small, which takes the programs of scripts/build.sh and some minutes. SLALOM_REGISTRY: a folder with other
+# entries, such as FOLDER/slalom-standard of scripts/baselines.sh FOLDER; OFF leaves it out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 output=$(realpath -m "${1:-build/release/site}")
@@ -23,6 +25,15 @@ version=$(sed -n 's/^project(slalom VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
   echo "USE_MDFILE_AS_MAINPAGE = $work/modules.md"
 } >"$work/Doxyfile"
 [ "${SLALOM_API:-ON}" = OFF ] || { doxygen "$work/Doxyfile" && mv "$work/html" "$work/api"; }
+
+if [ "${SLALOM_REGISTRY:-}" != OFF ]; then
+  bin=$(realpath -m "${SLALOM_BIN:-build/release/bin}")
+  [ -x "$bin/slalom-simulate" ] || { echo "docs.sh: $bin/slalom-simulate: no such program; expected a build" >&2; exit 1; }
+  entries=${SLALOM_REGISTRY:-$work/baselines/slalom-small}
+  [ -n "${SLALOM_REGISTRY:-}" ] || scripts/baselines.sh "$work/baselines" slalom-small >"$work/log"
+  PATH="$bin:$PATH" REPORTS=0 examples/registry/verify.sh "$entries" "$work/registry" >"$work/log" ||
+    { cat "$work/log" >&2; exit 1; }
+fi
 
 mkdir "$work/theme"
 cat >"$work/theme/main.html" <<'END'

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hook of mkdocs (scripts/docs.sh): the menu follows docs/README.md, links to headers lead to the API reference, and the
-search works in pages opened as files, where browsers fetch no index and start no worker of another file."""
+"""Hook of mkdocs (scripts/docs.sh): the menu follows docs/README.md, links to headers lead to the API reference, the
+page of registries to that of the site, and the search works in pages opened as files, where browsers fetch no index and
+start no worker of another file."""
 import json
 import pathlib
 import re
@@ -30,11 +31,12 @@ def on_config(config):
 
 
 def on_files(files, config):
-    """The API reference, which is made already."""
+    """The API reference and the registry, which are made already."""
     made = pathlib.Path(config["extra"]["made"])
-    for file in sorted((made / "api").rglob("*")):
-        if file.is_file():
-            files.append(File(str(file.relative_to(made)), str(made), config["site_dir"], False))
+    for part in ("api", "registry"):
+        for file in sorted((made / part).rglob("*")):
+            if file.is_file():
+                files.append(File(str(file.relative_to(made)), str(made), config["site_dir"], False))
     return files
 
 
@@ -54,6 +56,8 @@ def on_page_markdown(markdown, page, config, files):
         return f"[{text}]({path})" if files.get_file_from_path(path) else text
     if page.file.src_path == "README.md" and files.get_file_from_path("api/index.html"):
         markdown += "\n## API reference\n\n[All modules and headers](api/index.html)\n"
+    if page.file.src_path == "registry.md" and files.get_file_from_path("registry/index.html"):
+        markdown += "\n[The registry of this site](registry/index.html)\n"
     return LINK.sub(resolve, markdown)
 
 

@@ -3,7 +3,7 @@
 # Verifies the bundles of a folder that have no verification yet, or one of another file, and writes the site:
 # verify.sh [ENTRIES [SITE]], default entries and site. Environment variables: FRACTION, the part of the scenarios that
 # is run again (0.02); TRUST=1 to run the methods that bundles contain, in a container that may be lost; JOBS (0: all
-# cores). Exit status 1 if an entry is different.
+# cores); REPORTS=0 for a site without a report of each bundle. Exit status 1 if an entry is different.
 set -euo pipefail
 entries=${1:-entries} site=${2:-site} status=0 options=()
 [ "${TRUST:-0}" = 0 ] || options+=(--trust)
@@ -13,5 +13,7 @@ while IFS= read -r -d '' bundle; do
   slalom-simulate verify "$bundle" --fraction "${FRACTION:-0.02}" -j "${JOBS:-0}" --badge --quiet "${options[@]}" ||
     status=1
 done < <(find "$entries" -name '*.slalom' -print0 | sort -z)
-slalom-analyze registry "$entries" -o "$site" || status=1
+site_options=()
+[ "${REPORTS:-1}" = 1 ] || site_options+=(--no-reports)
+slalom-analyze registry "$entries" -o "$site" "${site_options[@]}" || status=1
 exit "$status"

@@ -57,6 +57,29 @@ class Browser:
                 return answer["result"]["value"]
 
 
+CAMPAIGN = """[campaign]
+methods = go_to_goal
+[scenarios]
+generator = random
+count = 2
+[method.go_to_goal]
+adapter = library
+plugin = libslalom_go_to_goal.so
+"""
+
+
+def make_entry(folder):
+    """A registry of one bundle of two runs, in place of those of the shipped methods."""
+    entries = pathlib.Path(folder) / "entries"
+    entries.mkdir()
+    campaign = pathlib.Path(folder, "tiny.ini")
+    campaign.write_text(CAMPAIGN)
+    bundle = ["--bundle", entries / "tiny.slalom", "--quiet"]
+    program = pathlib.Path(os.environ["SLALOM_BIN"], "slalom-evaluate")
+    subprocess.run([program, campaign, "-o", f"{folder}/out", *bundle], check=True, stdout=subprocess.DEVNULL)
+    return entries
+
+
 class Links(html.parser.HTMLParser):
     def __init__(self):
         super().__init__()
@@ -84,10 +107,16 @@ def main(source):
             sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         site = pathlib.Path(folder) / "site"
-        subprocess.run([f"{source}/scripts/docs.sh", site], check=True, env={**os.environ, "SLALOM_API": "OFF"})
+        settings = {"SLALOM_API": "OFF", "SLALOM_REGISTRY": str(make_entry(folder))}
+        subprocess.run([f"{source}/scripts/docs.sh", site], check=True, env={**os.environ, **settings})
         pages = {page.stem for page in pathlib.Path(source, "docs").glob("*.md")} - {"README"} | {"index"}
         assert pages <= {page.stem for page in site.glob("*.html")}, "a page is missing"
         assert not list(broken_links(site)), list(broken_links(site))
+        assert 'href="registry/index.html"' in (site / "registry.html").read_text(), "no link to the registry"
+        rows = json.loads((site / "registry/registry.json").read_text())["tables"][0]
+        row = dict(zip(rows["columns"], rows["rows"][0]))
+        assert row["method"] == "go_to_goal" and row["verified"].startswith("1 of 2 runs verified"), row
+        assert not list(broken_links(site / "registry")), list(broken_links(site / "registry"))
         text = (site / "index.html").read_text()
         assert all(f'href="{page}.html' in text for page in pages - {"index"}), "a page is not in the menu"
         with Browser() as browser:
