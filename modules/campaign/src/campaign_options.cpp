@@ -182,7 +182,7 @@ std::vector<std::string> all_metric_ids() {
 }
 
 std::vector<std::string> all_descriptor_ids() {
-  return without(descriptor_ids(), mover_descriptor_ids());
+  return without(without(descriptor_ids(), mover_descriptor_ids()), {"predicted_difficulty"});
 }
 
 void CampaignOptions::adapt_to(const std::vector<Scenario>& scenarios) {

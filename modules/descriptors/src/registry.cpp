@@ -41,7 +41,9 @@
   DESCRIPTOR(barn_characteristic_dimension, 2, "BARN: characteristic dimension", "cells", Amount, \
              at_least(0), {averaged_path})                                                        \
   DESCRIPTOR(barn_tortuosity, 2, "BARN: tortuosity", "-", Ratio, at_least(1), {averaged_path})    \
-  DESCRIPTOR(dynamic_density, 1, "Moving-obstacle density", "-", Ratio, at_least(0), {})
+  DESCRIPTOR(dynamic_density, 1, "Moving-obstacle density", "-", Ratio, at_least(0), {})          \
+  DESCRIPTOR(predicted_difficulty, 1, "Predicted difficulty", "logit", Amount, any(),             \
+             {robot, resolution})
 
 /// Descriptors of moving obstacles.
 #define SLALOM_MOVER_DESCRIPTORS(DESCRIPTOR)                                                      \

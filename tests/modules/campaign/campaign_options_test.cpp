@@ -88,7 +88,12 @@ TEST(CampaignOptions, AllIncludesQuantitiesAboutMoversIfAScenarioHasSome) {
   std::vector<std::string> expected = all_metric_ids();
   expected.insert(expected.end(), mover_metric_ids().begin(), mover_metric_ids().end());
   EXPECT_EQ(with_movers.metrics, expected);
-  EXPECT_EQ(with_movers.descriptors, descriptor_ids());
+  std::vector<std::string> descriptors = all_descriptor_ids();
+  descriptors.insert(descriptors.end(), mover_descriptor_ids().begin(),
+                     mover_descriptor_ids().end());
+  EXPECT_EQ(with_movers.descriptors, descriptors);
+  EXPECT_EQ(adapted("descriptors = predicted_difficulty\n", {still}).descriptors,
+            std::vector<std::string>{"predicted_difficulty"});
   const Scenario walked = still.with_people({{"anna", 0.25, 1.3, {2, 3}, {{4, 1}}}});
   std::vector<std::string> with_people = expected;
   with_people.insert(with_people.end(), people_metric_ids().begin(), people_metric_ids().end());

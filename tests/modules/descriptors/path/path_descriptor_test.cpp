@@ -72,9 +72,33 @@ TEST(GoalVisibility, IsTheFractionOfThePathThatSeesTheGoal) {
 
 TEST(PathDescriptors, AreNaWithoutAPath) {
   const World world = drawn_world({"S.#.G"});
-  for (const std::string id :
-       {"confinement_path", "narrow_fraction", "detour_ratio", "turn_density", "goal_visibility"})
+  for (const std::string id : {"confinement_path", "narrow_fraction", "detour_ratio",
+                               "turn_density", "goal_visibility", "predicted_difficulty"})
     EXPECT_EQ(descriptor(id).compute(context_of(world)).reason(), "no path given") << id;
+}
+
+TEST(PredictedDifficulty, IsTheModelOfDetourAndNarrowness) {
+  // The coefficients of difficulty_model.h.
+  constexpr double kEasiest = -5.281, kNarrow = 4.389, kDetour = 5.467;
+  const World empty = drawn_world({".....", ".....", "S...G", ".....", "....."});
+  const Path straight = {{0.5, 2.5}, {4.5, 2.5}};
+  EXPECT_DOUBLE_EQ(value_of("predicted_difficulty", context_with_path(empty, straight)), kEasiest);
+  // Six meters instead of four, 1/3 of it in excess, and 0.5 m from the walls.
+  const Path detour = {{0.5, 2.5}, {0.5, 3.5}, {4.5, 3.5}, {4.5, 2.5}};
+  EXPECT_NEAR(value_of("predicted_difficulty", context_with_path(empty, detour)),
+              kEasiest + kDetour / 3 / (1.0 / 3 + 0.05), 1e-12);
+  // Everywhere 0.5 m from the walls, less than 1.5 times the radius of 0.4 m.
+  const World corridor = drawn_world({"S...G"});
+  const Path narrow = {{0.5, 0.5}, {4.5, 0.5}};
+  EXPECT_NEAR(value_of("predicted_difficulty", context_with_path(corridor, narrow, 0.4)),
+              kEasiest + kNarrow / 1.1, 1e-12);
+}
+
+TEST(PredictedDifficulty, IsNaForTheReasonOfItsDescriptors) {
+  const World world = drawn_world({"S...G"});
+  DescriptorContext context = context_of(world);
+  context.shortest = search_once([] { return KnownPath{{}, 0, "no way"}; });
+  EXPECT_EQ(descriptor("predicted_difficulty").compute(context).reason(), "no way");
 }
 
 TEST(PathDescriptors, AreNaWhereStartAndGoalCoincide) {

@@ -74,7 +74,8 @@ struct RecordSection {
 };
 
 /// The ids behind "all" in static scenarios: without mover_metric_ids(), people_metric_ids(),
-/// goal_heading_metric_ids() and mover_descriptor_ids().
+/// goal_heading_metric_ids() and mover_descriptor_ids(); and without predicted_difficulty, which
+/// repeats two descriptors and was fitted to outcomes.
 std::vector<std::string> all_metric_ids();
 std::vector<std::string> all_descriptor_ids();
 
