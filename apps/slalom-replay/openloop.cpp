@@ -7,6 +7,8 @@
 #include <slalom/app/campaign_program.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/error.h>
+#include <slalom/io/result_file.h>
+#include <slalom/rawlog/open_loop_picture.h>
 #include <slalom/rawlog/open_loop_summary.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace slalom {
 namespace {
 
 struct OpenLoopArguments {
-  std::string log, method, label;
+  std::string log, method, label, picture;
   CampaignArguments campaign;
   BagSelection selection;
   double goal_ahead = 5;
@@ -46,6 +48,16 @@ void replay(const OpenLoopArguments& arguments) {
                                          simulation.goal_tolerance, arguments.goal_ahead},
                                         *method);
   OpenLoopSummary sum = summarize(scans, answers);
+  if (!arguments.picture.empty()) {
+    LogMapOptions map;
+    map.robot_radius = options.robot.radius;
+    map.topics = arguments.selection;
+    map.of_scans = true;
+    write_file_atomically(
+        arguments.picture,
+        open_loop_picture(load_log_map(arguments.log, map), scans, answers, options.robot.radius) +
+            "\n");
+  }
   sum.log = arguments.log;
   sum.method = arguments.method;
   sum.goal_ahead = arguments.goal_ahead;
@@ -80,6 +92,9 @@ void define_openloop(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--label", arguments.label, "Use only scans of the sensor with this label");
   add_bag_options(*verb, arguments.selection);
+  verb->add_option(
+      "--picture", arguments.picture,
+      "SVG of the drive, with the commands and where they would have ended in contact");
   verb->add_flag("--each", arguments.each, "Also print the answer to each scan");
   verb->add_flag("--json", arguments.json, "Print one JSON object");
   verb->callback([] { replay(arguments); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../adapters/bags/message_bytes.h"
+#include "occurrences.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -165,11 +166,22 @@ TEST_F(Replay, OpenLoopReadsLogsOfRealRobots) {
     // ND avoids the obstacles of the scan.
     EXPECT_EQ(json["contact"]["stopping"], 0);
     EXPECT_GT(json["mean_v"].get<double>(), 0.3);
+    const Json& log_velocities = json["log_velocities"];
+    EXPECT_GE(log_velocities["compared"], scans - 2) << "one scan has no odometry yet";
+    // Drives of less than 1 m/s; ND commands 0.3 to 1 m/s.
+    EXPECT_GT(log_velocities["difference_v"].get<double>(), 0);
+    EXPECT_LT(log_velocities["difference_v"].get<double>(), 1);
     // A robot as wide as the corridor touches the walls.
     const ProgramResult wide = run("slalom-replay openloop " + log +
                                    " --method nd -c small.ini --json --set robot.radius=1.5");
     const Json contact = Json::parse(wide.out)["contact"];
-    EXPECT_GT(contact["already"].get<int>() + contact["stopping"].get<int>(), 0) << wide.out;
+    const int contacts = contact["already"].get<int>() + contact["stopping"].get<int>();
+    EXPECT_GT(contacts, 0) << wide.out;
+    run("slalom-replay openloop " + log +
+        " --method nd -c small.ini --picture drive.svg --set robot.radius=1.5");
+    EXPECT_EQ(count(read("drive.svg"), ": collision</title>"), 2U * static_cast<unsigned>(contacts))
+        << "line and cross of each contact, not only of one per 0.25 m";
+    EXPECT_EQ(count(read("drive.svg"), "<title>driven"), 1U);
   }
 }
 

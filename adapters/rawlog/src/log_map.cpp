@@ -276,7 +276,8 @@ bool is_log(const std::string& path) {
 }
 
 LogMap load_log_map(const std::string& path, const LogMapOptions& options) {
-  LogMap map = is_bag(path) ? map_of_bag(path, options) : map_of_scans(path, options);
+  LogMap map =
+      is_bag(path) && !options.of_scans ? map_of_bag(path, options) : map_of_scans(path, options);
   if (options.unknown_is_free) set_unknown_free(map.grid);
   return map;
 }

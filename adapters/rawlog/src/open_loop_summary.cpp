@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slalom {
 namespace {
@@ -49,6 +50,16 @@ OpenLoopSummary summarize(const std::vector<LoggedScan>& scans,
     sum.stopping += answer.prediction.stopping ? 1 : 0;
     sum.one_second += answer.prediction.one_second ? 1 : 0;
   }
+  for (std::size_t i = 0; i + 1 < std::min(scans.size(), answers.size()); ++i) {
+    const auto& next = scans[i + 1].velocity;
+    if (!answers[i].problem.empty() || !next) continue;
+    ++sum.compared;
+    sum.difference_v += std::abs(answers[i].command.v - next->vx);
+    sum.difference_w += std::abs(answers[i].command.w - next->omega);
+  }
+  const auto compared = static_cast<double>(std::max<std::size_t>(sum.compared, 1));
+  sum.difference_v /= compared;
+  sum.difference_w /= compared;
   sum.problems = sum.scans - sum.commands;
   sum.mean_uncovered /= static_cast<double>(std::max<std::size_t>(sum.scans, 1));
   sum.mean_v /= static_cast<double>(std::max<std::size_t>(sum.commands, 1));
@@ -68,6 +79,10 @@ std::string render_text(const OpenLoopSummary& sum) {
               format_fixed(sum.mean_uncovered, 1) + " on average") +
          count("commands", sum.commands) +
          line("  mean linear velocity", format_fixed(sum.mean_v, 3) + " m/s") +
+         line("  distance from the log's velocity",
+              sum.compared == 0 ? "NA: the log has no velocities"
+                                : format_fixed(sum.difference_v, 3) + " m/s, " +
+                                      format_fixed(sum.difference_w, 3) + " rad/s on average") +
          count("  robot already in contact", sum.in_contact) +
          count("  contact, braking after one period", sum.stopping) +
          count("  contact, held for one second", sum.one_second) +
@@ -102,6 +117,10 @@ std::string render_json(const OpenLoopSummary& sum, const std::vector<OpenLoopAn
       {"problems", sum.problems},
       {"mean_v", sum.mean_v},
       {"mean_uncovered_rays", sum.mean_uncovered},
+      {"log_velocities",
+       {{"compared", sum.compared},
+        {"difference_v", sum.compared == 0 ? Json() : Json(sum.difference_v)},
+        {"difference_w", sum.compared == 0 ? Json() : Json(sum.difference_w)}}},
       {"contact",
        {{"already", sum.in_contact}, {"stopping", sum.stopping}, {"one_second", sum.one_second}}}};
   for (const OpenLoopAnswer& answer : answers) json["answers"].push_back(to_json(answer));

@@ -9,7 +9,7 @@ function ask(address, then) {
   top.postMessage({ ask: address, page: packedPage }, "*");
 }
 
-// As loadScript().
+// Does what loadScript() does.
 function loadPacked(source, failed) {
   ask(source, (text) => {
     if (text === null) return failed && failed();

@@ -256,6 +256,19 @@ TEST(OpenLoopSummary, MeansOfVelocitiesAreOverCommandsAndOfRaysOverScans) {
   EXPECT_EQ(summarize({}, {}).mean_v, 0);
 }
 
+TEST(OpenLoopSummary, CommandsAreComparedWithTheVelocitiesAtTheNextScan) {
+  std::vector<LoggedScan> scans(3);
+  scans[0].velocity = {9, 9, 9};
+  scans[1].velocity = {0.3, 0, 0.2};
+  scans[2].velocity = {0.1, 0, 0};
+  // Commands of 0.5 m/s, 0.1 rad/s, and of 0.2 m/s, 0; none at the last scan.
+  const OpenLoopSummary sum = summarize(scans, three_answers());
+  EXPECT_EQ(sum.compared, 2U);
+  EXPECT_NEAR(sum.difference_v, (0.2 + 0.1) / 2, 1e-12);
+  EXPECT_NEAR(sum.difference_w, (0.1 + 0) / 2, 1e-12);
+  EXPECT_NE(render_text(sum).find("0.150 m/s, 0.050 rad/s on average"), std::string::npos);
+}
+
 TEST(OpenLoopSummary, TextAndJsonAgree) {
   OpenLoopSummary sum = summarize({}, three_answers());
   sum.log = "a.rawlog";
@@ -268,6 +281,7 @@ TEST(OpenLoopSummary, TextAndJsonAgree) {
             "  rays not covered by the log         2.0 on average\n"
             "commands                              2\n"
             "  mean linear velocity                0.350 m/s\n"
+            "  distance from the log's velocity    NA: the log has no velocities\n"
             "  robot already in contact            0\n"
             "  contact, braking after one period   1\n"
             "  contact, held for one second        1\n"

@@ -18,6 +18,7 @@ struct LogMapOptions {
   double robot_radius = 0.25;    ///< m; what the robot covered is free
   bool unknown_is_free = false;  ///< else unknown cells stay unknown: obstacles
   BagSelection topics = {};      ///< of a bag
+  bool of_scans = false;         ///< also of a bag that has a map
 };
 
 /// The surroundings of a drive, and where it began and ended.

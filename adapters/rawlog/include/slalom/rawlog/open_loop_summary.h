@@ -17,6 +17,9 @@ struct OpenLoopSummary {
   std::size_t in_contact = 0, stopping = 0, one_second = 0;  ///< see ContactPrediction
   double mean_v = 0;                                         ///< m/s, of the commands
   double mean_uncovered = 0;                                 ///< rays
+  /// Mean distance of the commands from the velocities that the log has at the next scan.
+  std::size_t compared = 0;                   ///< commands before a scan with a velocity
+  double difference_v = 0, difference_w = 0;  ///< m/s, rad/s
 };
 
 /// Leaves log, method and goal_ahead empty.
