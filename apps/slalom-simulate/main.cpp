@@ -3,10 +3,13 @@
 
 #include <slalom/app/campaign_arguments.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/io/file_lock.h>
+#include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 
 #include <iostream>
@@ -18,11 +21,26 @@ struct RunArguments {
   CampaignArguments campaign;
   std::string scenarios;
   std::string output;
+  bool trust = false;
 };
+
+/// The campaign's .ini: a file of its own, or that in a result file.
+IniFile campaign_ini(const RunArguments& arguments) {
+  const std::string& path = arguments.campaign.config;
+  if (!ends_with(path, ".results")) return load_campaign_ini(arguments.campaign);
+  const Manifest manifest = ResultFile::open(path).read_manifest();
+  const auto text = manifest.find("campaign.ini");
+  if (text == manifest.end())
+    throw file_error(path, "contains no campaign", "results of Slalom, or the .ini of a campaign");
+  IniFile ini = with_overrides(IniFile::from_text(text->second, path), arguments.campaign);
+  if (!arguments.trust)
+    require_no_foreign_code(ini, {}, path, "an .ini of your own, or --trust if you trust the file");
+  return ini;
+}
 
 /// Runs the methods of a campaign over a scenario list into a result file.
 void run(const RunArguments& arguments) {
-  IniFile ini = load_campaign_ini(arguments.campaign);
+  IniFile ini = campaign_ini(arguments);
   if (!arguments.scenarios.empty()) {
     for (const std::string& key : ini.keys("scenarios")) ini.remove("scenarios", key);
     ini.set("scenarios", "list", arguments.scenarios);
@@ -49,12 +67,15 @@ void define(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("run",
                                       "Run methods over scenarios into a result file; the same "
                                       "command continues one that was interrupted");
-  add_argument(*verb, {"campaign", "-c,--config", "The campaign's .ini"},
-               arguments.campaign.config);
+  add_argument(
+      *verb, {"campaign", "-c,--config", "The campaign's .ini, or a result file that contains it"},
+      arguments.campaign.config);
   verb->add_option("--scenarios", arguments.scenarios,
                    "A scenario list (.scenarios) instead of [scenarios]");
   verb->add_option("-o,--output", arguments.output, "The result file (.results) to write")
       ->required();
+  verb->add_flag("--trust", arguments.trust,
+                 "Execute the libraries, modules and commands that a result file names");
   verb->add_option_function<std::string>(
       "--shard",
       [](const std::string& text) { arguments.campaign.shard = parse_shard(text, "--shard"); },

@@ -23,6 +23,25 @@ TEST_F(Simulate, AgreesWithEvaluateOnTheSameList) {
             run("slalom-analyze dump out/runs.results").out);
 }
 
+TEST_F(Simulate, RunsTheCampaignThatAResultFileContains) {
+  ASSERT_EQ(run("slalom-simulate run small.ini --quiet -o a.results").status, 0);
+  ASSERT_EQ(run("slalom-simulate run a.results --quiet -o b.results").status, 0);
+  EXPECT_EQ(run("slalom-analyze dump a.results").out, run("slalom-analyze dump b.results").out);
+  expect_failure("slalom-simulate run a.results -o a.results --overwrite", 2,
+                 {"-o a.results", "is also an input"});
+  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
+                             folder_ / "mine.so");
+  ASSERT_EQ(run("slalom-simulate run small.ini --set method.gap.plugin=./mine.so --quiet "
+                "-o mine.results")
+                .status,
+            0);
+  expect_failure("slalom-simulate run mine.results -o c.results", 2,
+                 {"mine.results", "would execute", "./mine.so", "--trust"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "c.results"));
+  EXPECT_EQ(run("slalom-simulate run mine.results --trust --quiet -o c.results").status, 0);
+  expect_failure("slalom-simulate run none.results -o c.results", 3, {"none.results"});
+}
+
 TEST_F(Simulate, RejectsInvalidListsAndVerbs) {
   expect_failure("slalom-simulate run -c small.ini --scenarios small.ini -o runs.results", 3,
                  {"small.ini"});

@@ -160,7 +160,10 @@ std::string runs_by_method(const MethodFailures& runs, const std::vector<NamedMe
 }  // namespace
 
 IniFile load_campaign_ini(const CampaignArguments& arguments) {
-  IniFile ini = IniFile::load(arguments.config);
+  return with_overrides(IniFile::load(arguments.config), arguments);
+}
+
+IniFile with_overrides(IniFile ini, const CampaignArguments& arguments) {
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
   ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor", "laser.*",

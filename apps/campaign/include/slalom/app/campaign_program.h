@@ -36,6 +36,9 @@ struct CampaignArguments {
 /// unknown sections.
 IniFile load_campaign_ini(const CampaignArguments& arguments);
 
+/// The same for an .ini that was loaded from elsewhere.
+IniFile with_overrides(IniFile ini, const CampaignArguments& arguments);
+
 /// Throws Error (Usage) at `option` for a name that is no method of the .ini.
 void require_method(const IniFile& ini, const std::string& option, const std::string& name);
 
