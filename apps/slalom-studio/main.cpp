@@ -5,12 +5,14 @@
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/studio_window.h>
 #include <slalom/io/result_file.h>
 #include <slalom/ros_parameters/resolve.h>
 #include <slalom/simulation/simulate.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace slalom {
@@ -48,6 +50,16 @@ IniFile base_ini(const StudioArguments& arguments) {
   if (!arguments.config.empty()) return IniFile::load(arguments.config);
   if (!arguments.results.empty()) return campaign_ini(arguments.results);
   return IniFile::from_text("", "--set");
+}
+
+/// The .ini if it has methods; it may describe only the robot and the sensor.
+std::string campaign_with_methods(const std::string& config) {
+  if (config.empty()) return "";
+  const std::vector<std::string> sections = IniFile::load(config).sections();
+  return std::any_of(sections.begin(), sections.end(),
+                     [](const std::string& name) { return starts_with(name, "method."); })
+             ? config
+             : "";
 }
 
 SceneSettings scene_settings(const StudioArguments& arguments) {
@@ -88,7 +100,9 @@ void show_window(const StudioArguments& arguments) {
   if (arguments.scale > 0) settings.scale = arguments.scale;
   // Scripts do not depend on the desktop.
   if (settings.scale == 0 && !arguments.script.empty()) settings.scale = 1;
-  StudioWindow window(scene_settings(arguments), settings, make_services());
+  StudioWindow window(
+      scene_settings(arguments), settings,
+      make_services(campaign_with_methods(arguments.config), arguments.assignments));
   open_files(window, arguments);
   if (!warning.empty())
     window.studio().events().show_status("The default layout is used: " + warning, true);
@@ -103,8 +117,8 @@ void define(CLI::App& app) {
                  "Results to show on top of the scenarios (.results)");
   app.add_option(
       "-c,--config", arguments.config,
-      "An .ini with the robot and the sensor: sections [robot], [sensor] (default: those "
-      "of the results)");
+      "An .ini with the robot and the sensor: sections [robot], [sensor] (default: those of the "
+      "results); its methods, if any, are those of 'Run methods here'");
   app.add_option("--set", arguments.assignments, "Override a key of the .ini: SECTION.KEY=VALUE");
   app.add_option("--scale", arguments.scale,
                  "Screen pixels per pixel of the window, to enlarge texts and all else (default: "

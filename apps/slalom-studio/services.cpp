@@ -37,10 +37,12 @@ std::string export_to(const Scenario& scenario, const std::string& format, doubl
   return export_scenario(scenario, format, options, path);
 }
 
-/// Runs slalom-falsify, since methods run in processes that the window must not fork: only the
-/// forking thread survives in them, and locks held by others are never released.
-std::string falsify(std::vector<std::string> command, Progress& progress) {
-  command.insert(command.begin(), program_folder() + "/slalom-falsify");
+/// Runs another program of Slalom, since methods run in processes that the window must not fork:
+/// only the forking thread survives in them, and locks held by others are never released. Returns
+/// what it printed.
+std::string execute(const std::string& program, std::vector<std::string> command,
+                    Progress& progress) {
+  command.insert(command.begin(), program_folder() + "/" + program);
   std::string output, last;
   ProgressLine now;
   const auto read_line = [&](const std::string& line) {
@@ -53,9 +55,9 @@ std::string falsify(std::vector<std::string> command, Progress& progress) {
   };
   const int status = execute_program(command, read_line, [&] { progress.advance(now.done); });
   if (status == 0) return output;
-  const std::string prefix = "slalom-falsify: ";
+  const std::string prefix = program + ": ";
   if (!starts_with(last, prefix))
-    throw job_error("slalom-falsify", "ended with status " + std::to_string(status));
+    throw job_error(program, "ended with status " + std::to_string(status));
   throw Error(ErrorKind::Job, last.substr(prefix.size()));
 }
 
@@ -64,7 +66,7 @@ std::string shrink_run(const StudioServices::ShrinkRequest& request, Progress& p
                                       "--output", request.folder,  "--max-runs", request.max_runs};
   if (!request.requires_witness) command.emplace_back("--no-witness");
   if (request.trust) command.emplace_back("--trust");
-  return falsify(std::move(command), progress);
+  return execute("slalom-falsify", std::move(command), progress);
 }
 
 std::string search_failures(const StudioServices::SearchRequest& request, Progress& progress) {
@@ -73,13 +75,31 @@ std::string search_failures(const StudioServices::SearchRequest& request, Progre
                                       "--failures", request.failures};
   if (request.all_outcomes) command.emplace_back("--all-outcomes");
   if (!request.requires_witness) command.emplace_back("--no-witness");
-  return falsify(std::move(command), progress);
+  return execute("slalom-falsify", std::move(command), progress);
+}
+
+/// Records trajectories, and nothing beside the result file.
+void run_methods(const StudioServices::RunRequest& request,
+                 const std::vector<std::string>& assignments, Progress& progress) {
+  std::vector<std::string> command = {"run",      request.campaign, "--scenarios", request.list,
+                                      "--output", request.results,  "--jobs",      "0"};
+  if (request.trust) command.emplace_back("--trust");
+  std::vector<std::string> all = assignments;
+  all.insert(all.end(), {"record.rawlog=none", "record.bag=none", "record.trajectories=all"});
+  for (const std::string& assignment : all) command.insert(command.end(), {"--set", assignment});
+  execute("slalom-simulate", std::move(command), progress);
 }
 
 }  // namespace
 
-StudioServices make_services() {
+StudioServices make_services(const std::string& campaign,
+                             const std::vector<std::string>& assignments) {
   StudioServices services;
+  services.campaign = campaign;
+  services.run_methods = [assignments](const StudioServices::RunRequest& request,
+                                       Progress& progress) {
+    run_methods(request, assignments, progress);
+  };
   services.load_map = load_occupancy_grid;
   services.import_options = {{"Start and goal on maps", defaults_of(&ImportRequest::visit_pairs)},
                              {"Maps", defaults_of(&ImportRequest::visit_maps)},

@@ -188,7 +188,10 @@ std::string shrink_disabled_reason(Studio& studio) {
 void open_shrink_form(Studio& studio) {
   const std::string results = studio.results().overlay().source().path;
   const RunRecord run = *studio.results().overlay().selected();
-  FormDescription form = shrink_form(run, new_shrink_folder(results, run));
+  // The folder of runs that were made here is a temporary one.
+  const bool here = studio.results().overlay().source().here;
+  FormDescription form =
+      shrink_form(run, new_shrink_folder(here ? studio.active()->path() : results, run));
   form.accepted = [&studio, results, run](const FormValues& values) {
     start_job(studio, "Shrink " + run_id(run),
               [&studio, request = read_shrink(results, run, values)](Progress& progress) {

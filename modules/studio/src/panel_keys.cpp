@@ -41,9 +41,9 @@ const std::vector<PanelKey>& panel_keys() {
 }
 
 const std::vector<std::string>& scenario_actions() {
-  static const std::vector<std::string> ids = {"view.scenario", "list.replay", "edit.rename",
-                                               "edit.tag",      "edit.copy",   "edit.move",
-                                               "edit.delete",   "file.export"};
+  static const std::vector<std::string> ids = {"view.scenario", "generate.run", "list.replay",
+                                               "edit.rename",   "edit.tag",     "edit.copy",
+                                               "edit.move",     "edit.delete",  "file.export"};
   return ids;
 }
 

@@ -110,6 +110,7 @@ void misbehave(const Method& method) {
   if (fault == "forge") for_each_descriptor(forge_answer);
   if (fault == "returns_twice" && fork() < 0) std::abort();
   if (fault == "slow") std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  if (fault == "hang") live_on();
   if (fault == "crash") std::abort();
   if (fault == "exit") std::_Exit(0);
   if (fault == "kill") kill(getpid(), SIGKILL);

@@ -15,7 +15,9 @@ constexpr double kWide = 700, kWideIfLow = 600, kTableWidth = 520, kMinTableWidt
 
 std::string title_of(const OverlaySource& source) {
   if (source.path.empty()) return "Results";
-  std::string title = "Results: " + std::filesystem::path(source.path).filename().string();
+  std::string title = source.here
+                          ? "Run here"
+                          : "Results: " + std::filesystem::path(source.path).filename().string();
   if (!source.campaign.empty()) title += ", campaign " + source.campaign;
   return title;
 }

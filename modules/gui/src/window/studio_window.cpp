@@ -88,6 +88,7 @@ void StudioWindow::add_actions() {
   add_edit_actions(actions_, studio());
   add_list_actions(actions_, studio());
   add_generate_actions(actions_, studio());
+  add_run_actions(actions_, studio());
   add_view_actions();
   add_help_actions(actions_, studio());
 }

@@ -95,8 +95,12 @@ void ReplayClock::tick(double now) {
 }
 
 void ResultsOverlay::set_source(OverlaySource source) {
-  source_ = std::move(source);
   hidden_.clear();
+  change_source(std::move(source));
+}
+
+void ResultsOverlay::change_source(OverlaySource source) {
+  source_ = std::move(source);
   set_runs({});
 }
 
@@ -271,6 +275,8 @@ void ResultsLoader::open(const std::string& path) {
       [this, path](Progress&) -> Jobs::Delivery {
         return [this, source = open_overlay_source(path),
                 fields = std::make_shared<const ResultFields>(path)] {
+          here_.clear();
+          file_ = source;
           overlay_.set_source(source);
           fields_ = fields;
           read_runs();
@@ -283,7 +289,21 @@ void ResultsLoader::close() {
   jobs_.cancel(kOpenKey);
   jobs_.cancel(kRunsKey);
   fields_.reset();
+  file_ = {};
+  here_.clear();
   show_runs({}, {}, "No result file is open.");
+}
+
+void ResultsLoader::show_here(const std::string& scenario_hash, OverlaySource source,
+                              std::shared_ptr<const ScratchFolder> folder) {
+  here_[scenario_hash] = {std::move(source), std::move(folder)};
+  if (scenario_hash == hash_) read_runs();
+}
+
+void ResultsLoader::discard_here() {
+  here_.erase(hash_);
+  if (here_.empty() && file_.path.empty()) return close();
+  read_runs();
 }
 
 void ResultsLoader::show(const std::string& scenario_hash) {
@@ -295,8 +315,13 @@ void ResultsLoader::show(const std::string& scenario_hash) {
 void ResultsLoader::read_runs() {
   jobs_.cancel(kRunsKey);
   replay_when_read_ = false;
-  set_runs({}, hash_.empty() ? "No scenario is selected." : "Reading runs ...");
-  if (hash_.empty()) return;
+  const auto here = here_.find(hash_);
+  const bool none = here == here_.end() && file_.path.empty();
+  if (!none) overlay_.change_source(here == here_.end() ? file_ : here->second.source);
+  set_runs({}, hash_.empty() ? "No scenario is selected."
+               : none        ? "No method was run on this scenario."
+                             : "Reading runs ...");
+  if (hash_.empty() || none) return;
   jobs_.start(
       kRunsKey, "Read runs of " + file_name(overlay_.source().path),
       [this, source = overlay_.source(), hash = hash_](Progress&) -> Jobs::Delivery {

@@ -90,6 +90,8 @@ void add_help_actions(Actions& actions, Studio& studio);
 
 /// Import and export, of the menu File.
 void add_import_export_actions(Actions& actions, Studio& studio);
+/// Running the methods of a campaign on the current scenario, of the menu Generate.
+void add_run_actions(Actions& actions, Studio& studio);
 /// Shrinking the selected run, of the menu Generate: why it is not possible (empty if it is), and
 /// its form.
 std::string shrink_disabled_reason(Studio& studio);

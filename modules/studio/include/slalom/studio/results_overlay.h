@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/core/scratch_folder.h>
 #include <slalom/io/result_fields.h>
 #include <slalom/results/run_record.h>
 #include <slalom/robot/footprint.h>
@@ -12,6 +13,7 @@
 #include <slalom/studio/studio_events.h>
 #include <slalom/trajectory/trajectory.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -60,6 +62,7 @@ struct OverlaySource {
   std::optional<RobotModel> robot;   ///< of the campaign, if the file contains it
   SimulationOptions simulation;      ///< of the campaign, as far as the file contains it
   PeopleSettings people;             ///< likewise
+  bool here = false;                 ///< the methods were run in the window: a temporary file
 };
 
 /// Reads the properties of a result file, not its runs. Throws Error (File). Thread-safe.
@@ -137,6 +140,8 @@ class ResultsOverlay {
  public:
   /// Sets the result file; its runs are set by set_runs(). Makes all methods visible.
   void set_source(OverlaySource source);
+  /// The same, but hidden runs stay hidden.
+  void change_source(OverlaySource source);
   const OverlaySource& source() const { return source_; }
   bool is_open() const { return !source_.path.empty(); }
 
@@ -204,8 +209,18 @@ class ResultsLoader {
   /// The results as fields of filters and sorting; null if no file is open.
   const std::shared_ptr<const ResultFields>& fields() const { return fields_; }
 
+  /// Opens a file. This and close() discard the runs that were made here.
   void open(const std::string& path);
   void close();
+  const std::string& path() const { return file_.path; }  ///< of the open file; empty for none
+
+  /// From now on shows these runs of a scenario in place of those in the open file. `folder`
+  /// contains the source and lives as long as the runs are kept.
+  void show_here(const std::string& scenario_hash, OverlaySource source,
+                 std::shared_ptr<const ScratchFolder> folder);
+  /// Whether such runs of the current scenario are shown.
+  bool shows_here() const { return here_.count(hash_) > 0; }
+  void discard_here();  ///< those of the current scenario
   /// Sets the current scenario by its hash; empty for none. Ignored if it is unchanged.
   void show(const std::string& scenario_hash);
   /// Shows these runs, whatever the current scenario is.
@@ -226,6 +241,12 @@ class ResultsLoader {
   StudioEvents& events_;
   ResultsOverlay overlay_;
   std::shared_ptr<const ResultFields> fields_;
+  struct RunsHere {
+    OverlaySource source;
+    std::shared_ptr<const ScratchFolder> folder;
+  };
+  OverlaySource file_;                    ///< no path if none is open
+  std::map<std::string, RunsHere> here_;  ///< by the hash of the scenario
   bool replay_when_read_ = false;
   std::string hash_, message_ = "No result file is open.";
 };

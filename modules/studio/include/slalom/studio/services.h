@@ -56,6 +56,17 @@ struct StudioServices {
   /// the folder. Returns a summary for the user. Null if the program cannot shrink.
   std::function<std::string(const ShrinkRequest& request, Progress& progress)> shrink_run;
 
+  struct RunRequest {
+    std::string campaign;  ///< an .ini, or a result file that contains one
+    bool trust = false;    ///< execute the libraries, modules and commands that results name
+    std::string list;      ///< with the scenarios
+    std::string results;   ///< a new file, which has the ended runs also after an error
+  };
+  /// Runs all methods of a campaign. Null if the program cannot run methods.
+  std::function<void(const RunRequest& request, Progress& progress)> run_methods;
+  /// The .ini whose methods are run unless the user chooses another; empty: that of the results.
+  std::string campaign;
+
   struct SearchRequest {
     std::string campaign, method;  ///< an .ini, and the method of it that is tested
     std::string folder;            ///< for all that is written

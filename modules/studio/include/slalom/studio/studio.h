@@ -40,6 +40,13 @@ class Studio {
   void close_list(std::size_t index);
   void activate(std::size_t index);
 
+  /// The choices of the user about run_methods_here().
+  struct RunChoice {
+    std::string campaign;  ///< an .ini or results; empty: the default
+    std::string trusted;   ///< results whose methods may execute what they name
+  };
+  RunChoice& run_choice() { return run_choice_; }
+
   std::string current_hash() const;  ///< empty for none
   std::optional<ScenarioList::Entry> current_entry() const;
   /// Replaces the current scenario by an edited one; shows an error in the status line.
@@ -82,6 +89,7 @@ class Studio {
   std::size_t active_ = 0;
   std::string current_hash_;
   std::vector<std::string> shown_ids_;
+  RunChoice run_choice_;
   std::function<bool(std::size_t)> reveal_ = [](std::size_t) { return true; };
 };
 
