@@ -124,6 +124,46 @@ double mean(const std::vector<int>& numbers) {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
 
+TEST_F(Studio, FindsAndRunsActionsByTheirWords) {
+  make_list(2);
+  expect_played(
+      "wait idle\n"
+      "key Ctrl+K\n"
+      "expect finder contains \"File: New list...\"\n"
+      "expect finder contains \"Generate: Shrink run... (\"\n"
+      "type \"copy list\"\n"
+      "expect finder contains \"> Edit: Copy to another list... (nothing is selected)\"\n"
+      "expect finder lacks \"New list\"\n"
+      "screenshot gray.png\n"
+      "key Enter\n"
+      "expect finder contains \"Copy to\"\n"
+      "key Ctrl+A\n"
+      "type \"all SHOW\"\n"
+      "expect finder contains \"> View: Show all\"\n"
+      "key Ctrl+A\n"
+      "type \"nothing so\"\n"
+      "expect finder lacks :\n"
+      "screenshot none.png\n"
+      "key Enter\n"
+      "key Escape\n"
+      "key Ctrl+K\n"
+      "expect finder contains \"New list\"\n"
+      "type about\n"
+      "key Enter\n"
+      "expect dialog contains Version\n"
+      "key Escape\n"
+      "key Ctrl+K\n"
+      "type legend\n"
+      "click finder view.legend\n"
+      "key Ctrl+K\n"
+      "type voronoi\n"
+      "click view at 0.5 0.9\n"
+      "key F6\n"
+      "key Ctrl+Z\n"
+      "expect status contains Undo\n",
+      "a.scenarios");
+}
+
 TEST_F(Studio, MarksInAMenuWhatIsOn) {
   expect_played(
       "do view.legend\n"

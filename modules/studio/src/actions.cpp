@@ -32,6 +32,19 @@ std::vector<const Action*> Actions::of_menu(const std::string& menu) const {
   return actions;
 }
 
+std::vector<const Action*> Actions::matching(const std::string& words) const {
+  const std::vector<std::string> all = split_nonempty(lower_case(words), ' ');
+  std::vector<const Action*> actions;
+  for (const Action& action : actions_) {
+    const std::string text = lower_case(action.menu + " " + action.label());
+    const auto is_there = [&](const std::string& word) {
+      return text.find(word) != std::string::npos;
+    };
+    if (std::all_of(all.begin(), all.end(), is_there)) actions.push_back(&action);
+  }
+  return actions;
+}
+
 const Action& Actions::find(const std::string& id) const {
   std::vector<std::string> ids;
   for (const Action& action : actions_) {

@@ -25,6 +25,23 @@ TEST(Actions, AreFoundByIdKeyAndMenu) {
   EXPECT_EQ(actions.find(key_stroke_of("Ctrl+Y")), nullptr);
 }
 
+TEST(Actions, MatchWordsInAnyOrderAndCase) {
+  Actions actions;
+  actions.add({"file.open", "File", "Open list...", "", "", [] {}});
+  actions.add({"file.results", "File", "Open results...", "", "", [] {}});
+  actions.add({"list.sort", "List", "Sort...", "", "", [] {}, {}, [] { return "Order by name"; }});
+  const auto matching = [&](const std::string& words) {
+    std::string ids;
+    for (const Action* action : actions.matching(words)) ids += action->id + " ";
+    return ids;
+  };
+  EXPECT_EQ(matching(""), "file.open file.results list.sort ");
+  EXPECT_EQ(matching("  LIST open"), "file.open ");
+  EXPECT_EQ(matching("list"), "file.open list.sort ") << "of the label, and of the menu";
+  EXPECT_EQ(matching("name"), "list.sort ") << "the label that is shown";
+  EXPECT_EQ(matching("open closed"), "");
+}
+
 TEST(Actions, ReportWhyTheyAreDisabled) {
   Actions actions;
   actions.add({"edit.undo", "Edit", "Undo", "", "Undoes.", [] { FAIL(); },

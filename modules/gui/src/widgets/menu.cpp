@@ -19,6 +19,11 @@ constexpr double kMenuWidth = 400, kTitleMargin = 12;  ///< pixels
 
 }  // namespace
 
+MenuLine menu_line(const Action& action) {
+  return {action.id,   action.label(),        action.shortcut,
+          action.help, action.disabled_check, action.checked && action.checked()};
+}
+
 Menu::Menu(nanogui::Widget* parent, const std::string& id, nanogui::Widget* focus_after)
     : Table(parent, id, {kBorder, kLineHeight, kBorder}), focus_after_(focus_after) {
   setVisible(false);
@@ -170,9 +175,7 @@ void MenuBar::open_context(const Point& at, const std::vector<std::string>& ids)
 
 void MenuBar::open_lines(const Point& corner, const std::vector<const Action*>& actions) {
   std::vector<MenuLine> lines;
-  for (const Action* action : actions)
-    lines.push_back({action->id, action->label(), action->shortcut, action->help,
-                     action->disabled_check, action->checked && action->checked()});
+  for (const Action* action : actions) lines.push_back(menu_line(*action));
   popup_->open(corner, kMenuWidth, parent()->height(), lines, 0,
                [this, lines](std::size_t line) { run_(lines[line].name); });
 }

@@ -23,6 +23,9 @@ struct MenuLine {
   std::string disabled_reason() const { return disabled_check ? disabled_check() : std::string(); }
 };
 
+/// Its id, label, shortcut and help.
+MenuLine menu_line(const Action& action);
+
 /// Lines to choose from, shown from open() until a choice; a line that is disabled is gray, with
 /// the reason. Keys: Up, Down, Home, End, Enter, Escape. Parts are the names of the lines, which
 /// scroll into view when queried.

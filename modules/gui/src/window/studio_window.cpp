@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "views/panels.h"
 #include "views/scenario_view.h"
+#include "widgets/action_finder.h"
 #include "widgets/menu.h"
 #include "widgets/splitter.h"
 #include "window/script_player.h"
@@ -60,6 +61,7 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
   add_actions();
   // Created last, to be drawn on top.
   menu_ = new MenuBar(this, actions_, [this](const std::string& id) { run_action(id); });
+  finder_ = new ActionFinder(this, actions_, [this](const std::string& id) { run_action(id); });
   studio().events().observe({Change::Current}, [this] {
     const auto entry = studio().current_entry();
     setWindowTitle((entry ? entry->name + " - " : "") + "Slalom Studio");
@@ -193,6 +195,7 @@ bool StudioWindow::keyboardEvent(int key, int scancode, int action, int modifier
 /// GLFW sends a key event before its character event. If the key moved the focus to another
 /// element, the character is not meant for that element.
 bool StudioWindow::keyboardCharacterEvent(unsigned int letter) {
+  if (finder_->visible() && !dialog_open()) return finder_->insert(letter), true;
   return key_moved_focus_ || PanelWindow::keyboardCharacterEvent(letter);
 }
 
@@ -200,6 +203,7 @@ bool StudioWindow::handle_key(int key, int scancode, int action, int modifiers) 
   const bool pressed = action == GLFW_PRESS || action == GLFW_REPEAT;
   if (!pressed || dialog_open())
     return PanelWindow::keyboardEvent(key, scancode, action, modifiers);
+  if (finder_->visible()) return finder_->key(key, modifiers & 7), true;
   if (menu_->popup_key(key, modifiers & 7)) return true;
   // nanogui passes keys to outer elements first; a focused text field has priority over them.
   nanogui::Widget* text_field = focused_text_field();
@@ -217,6 +221,10 @@ bool StudioWindow::handle_key(int key, int scancode, int action, int modifiers) 
 
 bool StudioWindow::mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down,
                                     int modifiers) {
+  if (down && finder_->visible() && !finder_->contains(p)) {
+    finder_->close();
+    return true;
+  }
   Menu& popup = menu_->popup();
   if (down && popup.visible() && !popup.contains(p) && !menu_->contains(p)) {
     popup.close();
@@ -301,6 +309,9 @@ void StudioWindow::add_view_actions() {
   actions_.add({"view.next_panel", "View", "Next panel", "F6",
                 "Moves the focus to the list, the descriptors, the scenario, the results or times.",
                 [this] { next_panel(); }});
+  actions_.add({"view.find_action", "View", "Find action...", "Ctrl+K",
+                "Lists all actions; typing filters them by words in any order, Enter runs one.",
+                [this] { finder_->open(); }});
   for (const auto& layer : view.layers()) actions_.add(layer_action(view, layer));
   for (const EditToolInfo& info : edit_tools()) actions_.add(tool_action(view, info));
 }

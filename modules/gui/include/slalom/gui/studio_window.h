@@ -10,6 +10,7 @@
 
 namespace slalom {
 
+class ActionFinder;
 class Element;
 class MenuBar;
 class ScenarioView;
@@ -53,6 +54,7 @@ class StudioWindow : public PanelWindow {
   bool key_moved_focus_ = false;  ///< the one that is pressed
   // Owned by the composite of elements:
   MenuBar* menu_ = nullptr;
+  ActionFinder* finder_ = nullptr;
   Element *list_ = nullptr, *descriptors_ = nullptr, *results_ = nullptr, *timeline_ = nullptr;
   ScenarioView* view_ = nullptr;
 };

@@ -67,6 +67,8 @@ class Actions {
   const std::vector<Action>& all() const { return actions_; }
   std::vector<std::string> menus() const;  ///< in order, without duplicates
   std::vector<const Action*> of_menu(const std::string& menu) const;
+  /// Returns those whose menu and label contain each of the words, in any order and case.
+  std::vector<const Action*> matching(const std::string& words) const;
   /// Throws Error (Usage) naming the nearest id.
   const Action& find(const std::string& id) const;
   /// Null when no action has this shortcut.
