@@ -32,7 +32,7 @@ namespace {
 struct FigureArguments {
   std::string results, output, profile, ranks, cell, scenario, animate, method;
   std::string metric, by, box, distribution, scatter;
-  bool outcomes = false;
+  bool outcomes = false, difficulty = false;
   int count = 12, columns = 3, pixels = 320;
   bool quiet = false;
 };
@@ -140,9 +140,18 @@ class RunFigures {
 
 std::string metric_by_bins(const ResultTable& runs, const FigureArguments& arguments,
                            const AnalysisOptions& options) {
-  const std::vector<CrossTable> tables =
-      build_cross_tables(runs, {parse_bin_spec(arguments.by, "--by")}, {arguments.metric}, options);
-  return bins_figure(tables, tables.front().columns.front());
+  const std::vector<BinSpec> by = parse_bin_specs(arguments.by, "--by");
+  if (by.size() == 1) {
+    const auto tables = build_cross_tables(runs, by, {arguments.metric}, options);
+    return bins_figure(tables, tables.front().columns.front());
+  }
+  if (by.size() != 2)
+    throw usage_error("--by", "has " + count_text(by.size(), "descriptor"),
+                      "bins of one descriptor for lines, or of two for a map");
+  std::vector<DescriptorMap> maps;
+  for (const std::string& method : runs.methods)
+    maps.push_back(build_descriptor_map(runs, method, by[0], by[1], arguments.metric, options));
+  return map_figure(maps);
 }
 
 std::string figure(const FigureArguments& arguments) {
@@ -155,6 +164,8 @@ std::string figure(const FigureArguments& arguments) {
   const AnalysisOptions options = report_options(runs).analysis;
   if (!arguments.metric.empty()) return metric_by_bins(runs, arguments, options);
   if (arguments.outcomes) return outcome_figure(build_summary(runs, {"success"}, options));
+  if (arguments.difficulty)
+    return difficulty_figure(build_difficulty(runs, "success", options), runs.methods);
   if (!arguments.box.empty()) return box_figure(runs, arguments.box);
   if (!arguments.distribution.empty()) return distribution_figure(runs, arguments.distribution);
   if (!arguments.scatter.empty()) {
@@ -182,10 +193,13 @@ void define_figure(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("figure", "Draw a figure for a paper as SVG, PDF or PNG");
   verb->add_option("results", arguments.results, "A result file (.results)")->required();
   CLI::Option_group* kind = verb->add_option_group("What is drawn");
-  CLI::Option* metric =
-      kind->add_option("--metric", arguments.metric, "This metric over the bins of --by");
+  CLI::Option* metric = kind->add_option(
+      "--metric", arguments.metric,
+      "This metric over the bins of --by: lines over one descriptor, a map of two");
   complete_with(metric, [](const Words&) { return metric_ids(); });
   kind->add_flag("--outcomes", arguments.outcomes, "The outcomes of each method as bars");
+  kind->add_flag("--difficulty", arguments.difficulty,
+                 "Abilities of methods beside the difficulties of scenarios");
   for (const auto& [name, id, help] :
        {std::tuple{"--box", &arguments.box, "Quartiles of this metric for each method"},
         {"--ecdf", &arguments.distribution, "The distribution of this metric for each method"}})
@@ -203,7 +217,7 @@ void define_figure(CLI::App& app) {
   kind->require_option(1);
   complete_with(verb->add_option("--by", arguments.by,
                                  "With --metric: bins of a descriptor, such as density:q4 or "
-                                 "density:0,0.1,0.2")
+                                 "density:0,0.1,0.2, or of two separated by ';'")
                     ->needs(metric),
                 [](const Words&) { return descriptor_ids(); });
   verb->add_option("--method", arguments.method, "With --scenario or --cell: only this method");

@@ -502,6 +502,8 @@ class FilesAndFigures(unittest.TestCase):
         self.assertLess(len(repr(figure)), 80)
         self.assertIsNone(self.results.figure(self.path("scene.svg"), scenario=self.results["scenario"][0], method="gap"))
         self.assertEqual(pathlib.Path(self.path("scene.svg")).read_text(), figure)
+        self.assertIn(">density", self.results.figure(metric="success", by="density:q2").lower())
+        self.assertIn("success", self.results.figure(outcomes=True))
         for message, options in {"no such scenario": {"scenario": "none"}, "--scenario,--cell": {}}.items():
             with self.assertRaisesRegex(slalom.Error, "(?<!slalom-analyze: )" + message):
                 self.results.figure(**options)

@@ -201,34 +201,10 @@ class Results(Columns):
         _analyze("report", [self], options)
         return folder if folder.endswith(".html") else os.path.join(folder, "index.html")
 
-    def figure(
-        self,
-        path: Optional[str] = None,
-        *,
-        scenario: Optional[str] = None,
-        cell: Optional[str] = None,
-        animate: Optional[str] = None,
-        profile: Optional[str] = None,
-        ranks: Optional[str] = None,
-        method: Optional[str] = None,
-        count: Optional[int] = None,
-        columns: Optional[int] = None,
-        pixels: Optional[int] = None,
-    ) -> Optional[Figure]:
-        """A figure of the runs in a scenario or a cell, an animated run, performance profiles or ranks:
-        the arguments are the options of slalom-analyze figure. With a path (.svg or .pdf) it is
+    def figure(self, path: Optional[str] = None, **options: Any) -> Optional[Figure]:
+        """A figure of these runs: the arguments are the options of slalom-analyze figure, such as
+        metric="success", by="density:q4", or outcomes=True. With a path (.svg, .pdf or .png) it is
         written there instead."""
-        options = dict(
-            scenario=scenario,
-            cell=cell,
-            animate=animate,
-            profile=profile,
-            ranks=ranks,
-            method=method,
-            count=count,
-            columns=columns,
-            pixels=pixels,
-        )
         if path is not None:
             _analyze("figure", [self], dict(options, output=os.path.abspath(path)))
             return None
@@ -247,9 +223,10 @@ def _analyze(verb: str, results: Sequence[Results], options: Dict[str, Any]) -> 
     names = [os.path.basename(path) if os.path.dirname(path) == folder else path for path in paths]
     words = [_find_program("slalom-analyze"), verb, *names]
     for name, value in options.items():
-        if value is not None:
+        if value is not None and value is not False:
             is_list = isinstance(value, (list, tuple))
-            words.append(f"--{name}={','.join(map(str, value)) if is_list else value}")
+            text = ",".join(map(str, value)) if is_list else value
+            words.append(f"--{name}" if value is True else f"--{name}={text}")
     done = subprocess.run(words, capture_output=True, encoding="utf-8", cwd=folder)
     if done.returncode != 0:
         raise Error(done.stderr.strip().replace("slalom-analyze: ", "", 1))

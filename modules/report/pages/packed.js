@@ -27,7 +27,7 @@ addEventListener("message", ({ data }) => {
 
 document.addEventListener("click", (event) => {
   const link = event.target.closest("a[href]"), address = link ? link.getAttribute("href") : "#";
-  if (address.startsWith("#") || event.ctrlKey || event.metaKey || event.shiftKey) return;
+  if (/^(#|[a-z]+:)/.test(address)) return;
   event.preventDefault();
   top.postMessage({ open: address, page: packedPage }, "*");
 }, true);

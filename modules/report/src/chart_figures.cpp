@@ -228,6 +228,89 @@ std::string history_figure(const History& history, const std::string& metric,
   return lines_figure(info, join(results, ", "), numbers, lines);
 }
 
+std::string map_figure(const std::vector<DescriptorMap>& maps) {
+  constexpr double kCellWidth = 84, kCellHeight = 40, kNames = 130, kPanel = 90;
+  std::vector<double> values;
+  for (const DescriptorMap& map : maps)
+    for (const auto& row : map.fields)
+      for (const MapField& field : row)
+        if (field.cell.estimate) values.push_back(*field.cell.estimate);
+  std::string content;
+  double top = kMargin, width = 0;
+  for (const DescriptorMap& map : maps) {
+    const Axis axis = axis_of(map.column.info, values);
+    const auto rows = static_cast<double>(map.rows.size());
+    content += text(10, top - 14, "start", map.method + ": " + label_of(map.column.info)) +
+               text(10, top + 4, "start", label_of(map.row_descriptor));
+    for (std::size_t row = 0; row < map.rows.size(); ++row) {
+      const double y = top + 12 + kCellHeight * (rows - 1 - static_cast<double>(row));  // upwards
+      content += text(kNames - 8, y + 24, "end", map.rows[row].label());
+      for (std::size_t column = 0; column < map.columns.size(); ++column) {
+        const Cell& cell = map.fields[row][column].cell;
+        const double x = kNames + kCellWidth * static_cast<double>(column);
+        const double shade = cell.estimate ? 0.55 * axis.part(*cell.estimate) : 0;
+        content += fmt::format(
+            "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.0f}\" height=\"{:.0f}\" "
+            "fill=\"#008060\" fill-opacity=\"{:.2f}\" stroke=\"#999\" stroke-width=\"0.5\"/>",
+            x, y, kCellWidth, kCellHeight, shade);
+        content += text(x + kCellWidth / 2, y + 17, "middle",
+                        cell.estimate ? fmt::format("{:.3g}", *cell.estimate) : "–") +
+                   text(x + kCellWidth / 2, y + 33, "middle", fmt::format("n = {}", cell.n));
+      }
+    }
+    const double bottom = top + 12 + kCellHeight * rows;
+    for (std::size_t column = 0; column < map.columns.size(); ++column)
+      content += text(kNames + kCellWidth * (static_cast<double>(column) + 0.5), bottom + 16,
+                      "middle", map.columns[column].label());
+    const double right = kNames + kCellWidth * static_cast<double>(map.columns.size());
+    content += text((kNames + right) / 2, bottom + 34, "middle", label_of(map.column_descriptor));
+    width = std::max(width, right + 20);
+    top = bottom + kPanel;
+  }
+  return document(width, top - kPanel + kMargin, content);
+}
+
+std::string difficulty_figure(const DifficultyScale& scale,
+                              const std::vector<std::string>& methods) {
+  std::vector<double> ends;
+  for (const MethodAbility& method : scale.methods) {
+    if (method.ability) ends.push_back(*method.ability);
+    if (method.interval) ends.insert(ends.end(), {method.interval->low, method.interval->high});
+  }
+  for (const double difficulty : scale.by_solvers) ends.push_back(difficulty);
+  QuantityInfo info;
+  info.name = "ability of methods, difficulty of scenarios";
+  info.unit = "logit";
+  const Axis axis = axis_of(info, ends);
+  std::vector<std::size_t> scenarios(scale.by_solvers.size());
+  for (const ScenarioDifficulty& one : scale.scenarios) ++scenarios[one.solved_by];
+  const std::size_t most =
+      scenarios.empty() ? 0 : *std::max_element(scenarios.begin(), scenarios.end());
+  std::string content = frame("scenarios", label_of(info)) + y_ticks(axis);
+  for (std::size_t solvers = 0; solvers < scenarios.size(); ++solvers) {
+    if (scenarios[solvers] == 0) continue;
+    const double y = y_at(axis.part(scale.by_solvers[solvers]));
+    const double part = static_cast<double>(scenarios[solvers]) / static_cast<double>(most);
+    content += segment(x_at(0), y, x_at(0.8 * part), y, 5, "#9aa5b1") +
+               text(x_at(0.8 * part) + 5, y + 4, "start", std::to_string(scenarios[solvers]));
+  }
+  for (std::size_t i = 0; i < scale.methods.size(); ++i) {
+    const MethodAbility& method = scale.methods[i];
+    const auto named = std::find(methods.begin(), methods.end(), method.method);
+    const std::string color = method_color(static_cast<std::size_t>(named - methods.begin()));
+    content += legend(i, method.method + (method.ability ? "" : " (no finite ability)"), color);
+    if (!method.ability) continue;
+    const double x =
+        x_at(0.86 + 0.12 * static_cast<double>(i) /
+                        static_cast<double>(std::max<std::size_t>(scale.methods.size() - 1, 1)));
+    content += point(x, y_at(axis.part(*method.ability)), 3, color);
+    if (method.interval)
+      content += segment(x, y_at(axis.part(method.interval->low)), x,
+                         y_at(axis.part(method.interval->high)), 1.2, color);
+  }
+  return chart(content, scale.methods.size());
+}
+
 std::string outcome_figure(const SummaryTable& summary) {
   constexpr double kBar = 16, kNames = 110;
   std::string content;

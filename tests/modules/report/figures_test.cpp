@@ -116,6 +116,40 @@ TEST(Figures, AHistoryIsALineOverTheResults) {
   EXPECT_EQ(count(svg, ">1-old, 2-new</text>"), 1U);
 }
 
+TEST(Figures, AMapShowsEstimatesAndTheirNumbers) {
+  const BinSpec bins = parse_bin_spec("density:0,0.2,0.4");
+  const ResultTable runs = lengths();
+  const std::string svg =
+      map_figure({build_descriptor_map(runs, "a", bins, bins, "success", {}),
+                  build_descriptor_map(runs, "b & c", bins, bins, "success", {})});
+  // "a": 4 of 4 where both are low, in the lower row, and 0 of 1 where both are high; "b & c" 1 of
+  // 1 there. The other five fields of both have no runs.
+  EXPECT_EQ(
+      count(svg, "y=\"102.0\" width=\"84\" height=\"40\" fill=\"#008060\" fill-opacity=\"0.55\""),
+      1U)
+      << svg;
+  EXPECT_EQ(count(svg, ">n = 4</text>"), 1U);
+  EXPECT_EQ(count(svg, ">n = 1</text>"), 2U);
+  EXPECT_EQ(count(svg, ">–</text>"), 5U);
+  EXPECT_EQ(count(svg, ">b &amp; c: Success</text>"), 1U);
+}
+
+TEST(Figures, AbilitiesStandBesideTheDifficultiesOfScenarios) {
+  DifficultyScale scale;
+  scale.methods.resize(2);
+  scale.methods[0] = {"a", 0.7, 1.0, Interval{0, 2}, {}, {}};
+  scale.methods[1].method = "b";
+  scale.by_solvers = {2, 0, -2};
+  scale.scenarios = {{0, 1, 0, {}, {}}, {1, 1, 0, {}, {}}, {2, 2, -2, {}, {}}};
+  const std::string svg = difficulty_figure(scale, {"b", "a"});
+  // The axis is from -2.12 to 2.12 in 240 pixels above y = 290: 1 at 290 - 240 * 3.12 / 4.24.
+  EXPECT_EQ(count(svg, "cy=\"113.4\" r=\"3.0\" fill=\"" + method_color(1)), 1U) << svg;
+  // Two scenarios of difficulty 0, at y = 170, are 0.8 of 360 pixels; one of -2 half of that.
+  EXPECT_EQ(count(svg, "L338.0 170.0\""), 1U);
+  EXPECT_EQ(count(svg, "L194.0 "), 1U);
+  EXPECT_EQ(count(svg, ">b (no finite ability)</text>"), 1U);
+}
+
 TEST(Figures, OutcomesAreShares) {
   const std::string svg = outcome_figure(build_summary(lengths(), {"success"}, {}));
   // 360 pixels: 4 of 5 runs of "a" succeed.

@@ -62,6 +62,7 @@ a { color: var(--accent); text-decoration: none; } a:hover { text-decoration: un
   padding: 1rem 1.1rem; margin: 1rem 0; overflow-x: auto; }
 ul.card { padding-left: 2.4rem; }
 figure { background: #fff; display: inline-block; max-width: 100%; box-sizing: border-box; }
+figure svg { max-width: 100%; height: auto; }
 table { border-collapse: separate; border-spacing: 0; font-variant-numeric: tabular-nums;
   font-size: 0.9rem; }
 th, td { text-align: left; vertical-align: top; padding: 0.3rem 0.9rem 0.3rem 0;

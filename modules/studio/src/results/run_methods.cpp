@@ -22,7 +22,7 @@ std::string campaign_of(Studio& studio) {
   return studio.services().campaign.empty() ? studio.results().path() : studio.services().campaign;
 }
 
-/// What a process made: a result file in `folder`, and why it failed if it did.
+/// Holds what a process made: a result file in `folder`, and why it failed if it did.
 struct MadeRuns {
   std::shared_ptr<const ScratchFolder> folder = std::make_shared<ScratchFolder>();
   OverlaySource source;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/descriptor_map.h>
+#include <slalom/analysis/difficulty.h>
 #include <slalom/analysis/history.h>
 #include <slalom/analysis/method_ranks.h>
 #include <slalom/analysis/performance_profile.h>
@@ -26,6 +28,14 @@ std::string rank_figure(const MethodRanks& ranks);
 /// A metric over the bins of a descriptor, one specification of build_cross_tables(): a line per
 /// method through its estimates, with their intervals.
 std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column);
+
+/// A panel per map: estimates and numbers of values over the bins of two descriptors.
+std::string map_figure(const std::vector<DescriptorMap>& maps);
+
+/// The abilities of methods with their intervals beside the numbers of scenarios of each
+/// difficulty (Wright map). `methods` have the colors of their places.
+std::string difficulty_figure(const DifficultyScale& scale,
+                              const std::vector<std::string>& methods);
 
 /// A metric over results in their order, such as those of versions: a line per method through its
 /// estimates, with their intervals. `results` are their names.
