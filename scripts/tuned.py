@@ -26,7 +26,8 @@ def answer(folder, scenarios, method):
 
 
 def estimate(value):
-    return f"{value['value']:.2f} [{value['low']:.2f}, {value['high']:.2f}]"
+    number, low, high = (f"{round(value[key], 2) + 0:.2f}" for key in ("value", "low", "high"))  # no -0.00
+    return f"{number} [{low}, {high}]"
 
 
 def row(method, found):
