@@ -186,6 +186,30 @@ TEST_F(StudioResults, AreReplayedByTheSliderAndThePlots) {
   EXPECT_DOUBLE_EQ(time_of(keyed).first, 1.1);
 }
 
+TEST_F(StudioResults, AreColoredBySpeedOrClearanceAndReadAtTheMouse) {
+  expect_overlaid(
+      "wait idle\n"
+      "expect view lacks \"color bar\"\n"
+      "click view\n"
+      "key C\n"
+      "expect view contains \"color bar speed 0.00 to \"\n"
+      "expect view contains \" m/s\"\n"
+      "key C\n"
+      "expect view contains \"color bar clearance 0.00 to \"\n"
+      "do layer.trajectories\n"
+      "expect view lacks \"color bar\"\n"
+      "do layer.trajectories\n"
+      "key C\n"
+      "expect view lacks \"color bar\"\n"
+      "do coloring.speed\n"
+      "move view start\n"
+      "expect view contains \"status nd 0 at 0.\"\n"
+      "expect view contains \" m/s, clearance \"\n"
+      "move view \"color bar\"\n"
+      "move view \"at 0.1 0.1\"\n"
+      "expect view contains \"status x 0.\"\n");
+}
+
 TEST_F(StudioResults, ArePlayedUntilTheEnd) {
   const std::string played = expect_overlaid(
       "wait idle\n"

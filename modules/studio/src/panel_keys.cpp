@@ -23,6 +23,7 @@ const std::vector<PanelKey>& panel_keys() {
       {"view", {"0", "F"}, "fit the scenario"},
       {"view", {"1", "2", "3", "4", "5", "6", "7", "8", "9"}, "show or hide a layer"},
       {"view", {"L"}, "show or hide the legend"},
+      {"view", {"C"}, "color runs by method, speed or clearance"},
       {"view", {"Enter", "Space"}, "press, release at the pointer"},
       {"view", {"Q", "W"}, "rotate the scan"},
       {"view", {"V", "S", "G"}, "look, set start, goal"},

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -239,6 +240,52 @@ TEST_F(ResultsOverlayTest, AMethodKeepsItsColorInAllScenarios) {
   ResultsOverlay overlay = opened();
   overlay.set_runs(read_overlay_runs(overlay.source(), overlay_room("other", 8).hash()));
   EXPECT_EQ(method_line_color(2), overlay.color_of(0)) << "vfh is the third method of the file";
+}
+
+TEST_F(ResultsOverlayTest, RunsAreColoredByTheirMethodSpeedOrClearance) {
+  ResultsOverlay overlay = opened();
+  EXPECT_EQ(nullptr, overlay.colored_values(0)) << "by method";
+  EXPECT_DOUBLE_EQ(0, overlay.max_colored_value());
+  overlay.set_coloring(RunColoring::Speed);
+  EXPECT_EQ(std::vector<double>(17, 1), *overlay.colored_values(0));
+  EXPECT_DOUBLE_EQ(2, overlay.max_colored_value()) << "m/s, of ptg";
+  overlay.toggle(overlay.rows()[1]);
+  EXPECT_DOUBLE_EQ(2, overlay.max_colored_value()) << "colors stay when runs are hidden";
+  overlay.set_coloring(RunColoring::Clearance);
+  EXPECT_NEAR(0.8, overlay.max_colored_value(), 1e-6) << "1 m to a wall, less the radius";
+}
+
+TEST_F(ResultsOverlayTest, TheSampleNearAPositionIsOfARunThatIsShown) {
+  ResultsOverlay overlay = opened();
+  const auto near = [&overlay](double x, double radius) {
+    const auto at = overlay.sample_near({x, 1.05}, radius);
+    return at ? overlay.sample_text(*at) : "none";
+  };
+  // nd has a sample every 0.5 m from x = 1, ptg every 1 m.
+  EXPECT_EQ("nd 0 at 0.50 s: 1.00 m/s, clearance 0.800 m", near(1.52, 0.1));
+  EXPECT_EQ("none", near(1.6, 0.1)) << "0.11 m away";
+  EXPECT_EQ("nd 0 at 2.00 s: 1.00 m/s, clearance 0.800 m", near(3, 0.1)) << "ptg is as near";
+  overlay.toggle(overlay.rows()[0]);
+  EXPECT_EQ("none", near(1.52, 0.1));
+  EXPECT_EQ("ptg 0 at 0.50 s: 2.00 m/s, clearance 0.800 m", near(1.52, 0.5)) << "0.48 m before it";
+}
+
+TEST(ColoredParts, JoinSamplesOfOneColor) {
+  const auto texts = [](const std::vector<double>& values, double maximum) {
+    std::vector<std::string> lines;
+    for (const ColoredPart& part : colored_parts(values, maximum))
+      for (const double fraction : {0.0, 0.5, 1.0})
+        if (part.color == heat_color(fraction))
+          lines.push_back(std::to_string(part.begin) + " to " + std::to_string(part.end) + ": " +
+                          std::to_string(fraction).substr(0, 3));
+    return lines;
+  };
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ((Lines{"0 to 2: 0.0", "2 to 3: 0.5", "3 to 4: 1.0"}), texts({0, 0, 1, 2, 2}, 2));
+  EXPECT_EQ((Lines{"0 to 2: 0.0", "2 to 3: 1.0"}), texts({-1, NAN, 5, 9}, 2))
+      << "outside the scale";
+  EXPECT_EQ(Lines{"0 to 1: 0.0"}, texts({3, 4}, 0)) << "no scale";
+  EXPECT_EQ(Lines{}, texts({1}, 2)) << "no line";
 }
 
 TEST(PoseAt, TurnsTheShorterWay) {

@@ -20,6 +20,7 @@ namespace {
 constexpr double kDegree = M_PI / 180;
 constexpr double kBorder = 3;                                     // pixels
 constexpr double kRowIndent = 48, kRowMargin = 8, kNoteGap = 10;  // pixels, in the legend
+constexpr double kColorBarWidth = 240, kColorBarHeight = 38;      // pixels
 const std::string kNoScene = "No scenario is selected";
 
 std::vector<ViewLayout::Button> buttons(bool editable) {
@@ -162,13 +163,31 @@ std::optional<double> ScenarioView::clearance_at_pointer() const {
   return scene_->distance_field->clearance(*pointer_);
 }
 
+std::optional<ResultsOverlay::RunSample> ScenarioView::sample_at_pointer() const {
+  constexpr double kRadius = 8;  // pixels
+  if (!pointer_ || !scene_ || !layer_on("trajectories")) return std::nullopt;
+  return studio_.results().overlay().sample_near(*pointer_, kRadius / view_.pixels_per_meter());
+}
+
 std::string ScenarioView::pointer_text() const {
   if (!pointer_) return "";
-  std::string text = format("x %.3f m, y %.3f m", pointer_->x, pointer_->y);
+  std::string text;
+  if (const auto sample = sample_at_pointer())
+    text = studio_.results().overlay().sample_text(*sample) + ";   ";
+  text += format("x %.3f m, y %.3f m", pointer_->x, pointer_->y);
   const auto clearance = clearance_at_pointer();
   text += clearance ? format(", clearance %.3f m", *clearance) : ", clearance NA (being computed)";
   if (layer_on("scan")) text += format(", scan heading %.0f deg", heading_ / kDegree);
   return text;
+}
+
+std::string ScenarioView::color_bar_text() const {
+  const ResultsOverlay& overlay = studio_.results().overlay();
+  if (overlay.coloring() == RunColoring::Method || trajectories_.empty() ||
+      !layer_on("trajectories"))
+    return "";
+  return to_string(overlay.coloring()) + format(" 0.00 to %.2f ", overlay.max_colored_value()) +
+         (overlay.coloring() == RunColoring::Speed ? "m/s" : "m");
 }
 
 /// In order of priority: an error, the part under the mouse, pointer position, help on the tool.
@@ -219,6 +238,7 @@ std::string ScenarioView::text() const {
   text += format("map %.0f x %.0f pixels\n", layout_.canvas.width, layout_.canvas.height);
   for (const OverlayTrajectory& run : trajectories_)
     text += "trajectory " + run.label + ", " + run.outcome + "\n";
+  if (!color_bar_text().empty()) text += "color bar " + color_bar_text() + "\n";
   if (pointer_) text += "pointer " + pointer_text() + "\n";
   return text + "status " + status_text() + "\n";
 }
@@ -229,6 +249,7 @@ std::optional<ScreenRect> ScenarioView::rect_of(const std::string& part) const {
   if (part == "canvas") return layout.canvas;
   if (part == "status") return layout.status;
   if (part == "scale bar") return layout.scale_bar;
+  if (part == "color bar" && !color_bar_text().empty()) return color_bar_rect();
   if (const Element::Part* found = layout.find(part)) return found->rect;
   if (!scene_) return std::nullopt;
   Point at;
@@ -270,13 +291,17 @@ void ScenarioView::draw_scene(NVGcontext* ctx) {
   }
   nvgSave(ctx);
   draw::clip(ctx, canvas);
-  const LayerContext context{ctx, *scene_, view_, trajectories_, people(), scan_pose(), time()};
+  const LayerContext context{
+      ctx,      *scene_,     view_, trajectories_, studio_.results().overlay(),
+      people(), scan_pose(), time()};
   draw_background(context);
   draw_border(ctx);
   for (const auto& layer : layers_)
     if (layer.on) layer.draw(context);
+  draw_sample(ctx);
   draw_preview(ctx);
   draw_pointer(ctx);
+  draw_color_bar(ctx);
   nvgRestore(ctx);
 }
 
@@ -359,6 +384,43 @@ void ScenarioView::draw_scale_bar(NVGcontext* ctx) const {
   draw::line(ctx, left, y, right, y, palette().text, 2);
   draw::line(ctx, left, y - 5, left, y + 5, palette().text, 2);
   draw::line(ctx, right, y - 5, right, y + 5, palette().text, 2);
+}
+
+ScreenRect ScenarioView::color_bar_rect() const {
+  const ScreenRect& canvas = layout_.canvas;
+  return {canvas.left + 8, canvas.bottom() - kColorBarHeight - 8,
+          std::min(kColorBarWidth, canvas.width - 16), kColorBarHeight};
+}
+
+/// The colors from 0 to the maximum, with the numbers of both and of the middle.
+void ScenarioView::draw_color_bar(NVGcontext* ctx) const {
+  if (color_bar_text().empty()) return;
+  const ResultsOverlay& overlay = studio_.results().overlay();
+  const bool speed = overlay.coloring() == RunColoring::Speed;
+  const ScreenRect rect = color_bar_rect(), inside = rect.inset(6);
+  draw::fill(ctx, rect, faded(palette().panel, 0.95), 4);
+  constexpr int kSteps = 64;
+  // Whole pixels: blended edges would be seen as lines.
+  const auto edge = [&](int i) { return std::round(inside.left + i * inside.width / kSteps); };
+  for (int i = 0; i < kSteps; ++i)
+    draw::fill(ctx, {edge(i), inside.top, edge(i + 1) - edge(i), 10},
+               heat_color((i + 0.5) / kSteps));
+  const double maximum = overlay.max_colored_value();
+  const ScreenRect numbers{inside.left, inside.top + 12, inside.width, 18};
+  const auto number = [&](const std::string& text, draw::Align align) {
+    draw::text(ctx, numbers, text, palette().text, draw::kSmallTextSize, align);
+  };
+  number(speed ? "0  speed" : "0  clearance", draw::Align::Left);
+  number(format_fixed(0.5 * maximum, 2), draw::Align::Center);
+  number(format_fixed(maximum, 2) + (speed ? " m/s" : " m"), draw::Align::Right);
+}
+
+void ScenarioView::draw_sample(NVGcontext* ctx) const {
+  const auto at = sample_at_pointer();
+  if (!at) return;
+  const ResultsOverlay& overlay = studio_.results().overlay();
+  const TPose2D& pose = overlay.runs()[at->run].trajectory->samples[at->sample].pose;
+  shapes::circle(ctx, view_, {{pose.x, pose.y}, 0}, palette().shortest, 2, 7);
 }
 
 void ScenarioView::draw_tools(NVGcontext* ctx) const {

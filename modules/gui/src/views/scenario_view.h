@@ -15,14 +15,14 @@
 namespace slalom {
 
 /// Displays the current scenario to scale, in layers, and edits it. Element "view" with the parts
-/// of ViewLayout, "canvas", "status", "scale bar", and positions in the world: "at X Y" (m),
-/// "start", "goal", "mover ID", "person ID".
+/// of ViewLayout, "canvas", "status", "scale bar", "color bar", and positions in the world:
+/// "at X Y" (m), "start", "goal", "mover ID", "person ID".
 ///
 /// Mouse: the wheel zooms, a drag pans the view (also with the left button while the tool is Look);
 /// shift and the wheel, or shift and a drag, rotate the scan. Keys: arrows pan the view, with shift
 /// they move the pointer, whose button is Enter; + - 0 zoom and fit; 1 to 9 toggle layers, L the
-/// legend; Q and W rotate the scan, comma and period change the brush, T and Y the speed of movers
-/// and people; a letter for each tool; Escape cancels the current edit.
+/// legend; C colors runs otherwise; Q and W rotate the scan, comma and period change the brush, T
+/// and Y the speed of movers and people; a letter for each tool; Escape cancels the current edit.
 class ScenarioView : public Element {
  public:
   enum class Mode { Look, Edit };  ///< without and with editing tools
@@ -84,6 +84,10 @@ class ScenarioView : public Element {
   Movers people() const;  ///< of the scene, as they move
   std::optional<mrpt::math::TPose2D> scan_pose() const;
   std::optional<double> clearance_at_pointer() const;
+  /// The sample of a run at the pointer.
+  std::optional<ResultsOverlay::RunSample> sample_at_pointer() const;
+  std::string color_bar_text() const;  ///< "speed 0.00 to 0.98 m/s"; empty for none
+  ScreenRect color_bar_rect() const;
   std::string status_text() const;
   std::string pointer_text() const;
   std::string layer_line(const SceneLayer& layer) const;
@@ -94,6 +98,8 @@ class ScenarioView : public Element {
   void draw_preview(NVGcontext* ctx) const;
   void draw_pointer(NVGcontext* ctx) const;
   void draw_scale_bar(NVGcontext* ctx) const;
+  void draw_color_bar(NVGcontext* ctx) const;
+  void draw_sample(NVGcontext* ctx) const;
   void draw_tools(NVGcontext* ctx) const;
   void draw_legend(NVGcontext* ctx) const;
   void draw_row(NVGcontext* ctx, const ScreenRect& rect, const SceneLayer& layer) const;

@@ -145,6 +145,12 @@ bool ScenarioView::view_key(int key, int modifiers) {
                        {{GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, [&] { zoom(1 / kZoomStep); }},
                        {{GLFW_KEY_0, GLFW_KEY_KP_0, GLFW_KEY_F}, [&] { fit(); }},
                        {{GLFW_KEY_L}, [&] { set_legend_open(!legend_open_); }},
+                       {{GLFW_KEY_C},
+                        [&] {
+                          ResultsOverlay& overlay = studio_.results().overlay();
+                          const int next = static_cast<int>(overlay.coloring()) + 1;
+                          overlay.set_coloring(static_cast<RunColoring>(next % 3));
+                        }},
                        {{GLFW_KEY_Q}, [&] { rotate_scan(kRotateStep); }},
                        {{GLFW_KEY_W}, [&] { rotate_scan(-kRotateStep); }},
                        {{GLFW_KEY_COMMA}, [&] { editor_.set_brush(editor_.brush() / kZoomStep); }},

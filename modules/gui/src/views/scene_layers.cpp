@@ -163,13 +163,23 @@ void draw_scan(const LayerContext& c, const Color& color) {
   shapes::robot(c.ctx, c.view, c.scene.settings.robot.shape(), *c.scan_pose, color);
 }
 
-void draw_run_line(const LayerContext& c, const OverlayTrajectory& run) {
-  Path path = run.trajectory->path();
-  const TPoint2D end = c.view.to_screen(path.back());
-  shapes::polyline(c.ctx, c.view, path, run.color, 1.5F);
+/// Draws, when runs are colored by values, the line of the method below and wider, so that methods
+/// are told apart.
+void draw_run_line(const LayerContext& c, const OverlayTrajectory& run, double max_value) {
+  const Path whole = run.trajectory->path();
+  const TPoint2D end = c.view.to_screen(whole.back());
+  const std::vector<double>* values = c.overlay.colored_values(run.run);
+  Path path = whole;
   path.resize(run.sample + 1);
   path.emplace_back(run.pose.x, run.pose.y);
-  shapes::polyline(c.ctx, c.view, path, run.color, 4);
+  shapes::polyline(c.ctx, c.view, whole, run.color, values ? 5 : 1.5F);
+  shapes::polyline(c.ctx, c.view, path, run.color, values ? 9 : 4);
+  if (values)
+    for (const ColoredPart& part : colored_parts(*values, max_value))
+      shapes::polyline(c.ctx, c.view,
+                       Path(whole.begin() + static_cast<std::ptrdiff_t>(part.begin),
+                            whole.begin() + static_cast<std::ptrdiff_t>(part.end) + 1),
+                       part.color, 4);
   constexpr float kHalf = 5;
   nvgBeginPath(c.ctx);
   nvgRect(c.ctx, static_cast<float>(end.x) - kHalf, static_cast<float>(end.y) - kHalf, 2 * kHalf,
@@ -300,12 +310,13 @@ SceneLayer make_start_goal_layer() {
   return layer;
 }
 
-/// The runs in the colors of their methods, bold up to the time of the replay, each end marked in
-/// the color of its outcome, and the robots at the time of the replay.
+/// The runs in the colors of their methods or values, bold up to the time of the replay, each end
+/// marked in the color of its outcome, and the robots at the time of the replay.
 SceneLayer make_trajectories_layer() {
   SceneLayer layer{"trajectories", "Trajectories", method_line_color(0), true};
   layer.draw = [](const LayerContext& c) {
-    for (const OverlayTrajectory& run : c.trajectories) draw_run_line(c, run);
+    const double max_value = c.overlay.max_colored_value();
+    for (const OverlayTrajectory& run : c.trajectories) draw_run_line(c, run, max_value);
     for (const OverlayTrajectory& run : c.trajectories) draw_run_robot(c, run);
   };
   layer.missing_reason = [](const SceneData&, const std::vector<OverlayTrajectory>& runs) {

@@ -96,6 +96,7 @@ struct LayerContext {
   const SceneData& scene;
   const ViewTransform& view;
   const std::vector<OverlayTrajectory>& trajectories;
+  const ResultsOverlay& overlay;                 ///< of the trajectories
   Movers people;                                 ///< ResultsOverlay::people_in()
   std::optional<mrpt::math::TPose2D> scan_pose;  ///< pose of the range sensor
   double time = 0;                               ///< s of a run, at which movers are drawn

@@ -33,6 +33,21 @@ Action layer_action(ScenarioView& view, const SceneLayer& layer) {
           [&view, id] { return view.layer_on(id); }};
 }
 
+Action coloring_action(Studio& studio, RunColoring coloring) {
+  const std::string name = to_string(coloring);
+  return {"coloring." + name,
+          "Layers",
+          "Color runs by " + name,
+          "",
+          coloring == RunColoring::Method
+              ? "Draws each run in the color of its method."
+              : "Draws each run in colors of its " + name + ", with a color bar.",
+          [&studio, coloring] { studio.results().overlay().set_coloring(coloring); },
+          {},
+          {},
+          [&studio, coloring] { return studio.results().overlay().coloring() == coloring; }};
+}
+
 Action tool_action(ScenarioView& view, const EditToolInfo& info) {
   return {"tool." + info.id,
           "Tools",
@@ -313,6 +328,9 @@ void StudioWindow::add_view_actions() {
                 "Lists all actions; typing filters them by words in any order, Enter runs one.",
                 [this] { finder_->open(); }});
   for (const auto& layer : view.layers()) actions_.add(layer_action(view, layer));
+  for (const RunColoring coloring :
+       {RunColoring::Method, RunColoring::Speed, RunColoring::Clearance})
+    actions_.add(coloring_action(studio(), coloring));
   for (const EditToolInfo& info : edit_tools()) actions_.add(tool_action(view, info));
 }
 

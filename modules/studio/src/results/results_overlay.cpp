@@ -237,6 +237,7 @@ std::vector<OverlayTrajectory> ResultsOverlay::trajectories() const {
     line.label = overlay_label(run.record);
     line.outcome = run.record.outcome;
     line.color = color_of(i);
+    line.run = i;
     line.trajectory = run.trajectory;
     line.time = clock_.time();
     line.sample = sample_at(*run.trajectory, line.time);
@@ -252,6 +253,68 @@ Color ResultsOverlay::color_of(std::size_t run) const {
   const auto& methods = source_.methods;
   const auto found = std::lower_bound(methods.begin(), methods.end(), runs_[run].record.method);
   return method_line_color(static_cast<std::size_t>(found - methods.begin()));
+}
+
+std::vector<ColoredPart> colored_parts(const std::vector<double>& values, double maximum) {
+  constexpr double kColors = 32;
+  // std::max() with NaN as its second argument is 0.
+  const auto level = [&](std::size_t i) {
+    return maximum > 0 ? std::round(kColors * std::max(0.0, std::min(values[i] / maximum, 1.0)))
+                       : 0.0;
+  };
+  std::vector<ColoredPart> parts;
+  for (std::size_t begin = 0; begin + 1 < values.size(); begin = parts.back().end) {
+    std::size_t end = begin + 1;
+    while (end + 1 < values.size() && level(end) == level(begin)) ++end;
+    parts.push_back({begin, end, heat_color(level(begin) / kColors)});
+  }
+  return parts;
+}
+
+const std::vector<double>* ResultsOverlay::colored_values(std::size_t run) const {
+  switch (coloring_) {
+    case RunColoring::Speed:
+      return &runs_[run].speeds;
+    case RunColoring::Clearance:
+      return &runs_[run].clearances;
+    default:
+      return nullptr;
+  }
+}
+
+double ResultsOverlay::max_colored_value() const {
+  double maximum = 0;
+  for (std::size_t run = 0; run < runs_.size(); ++run)
+    if (const std::vector<double>* values = colored_values(run))
+      for (const double value : *values)
+        if (std::isfinite(value)) maximum = std::max(maximum, value);
+  return maximum;
+}
+
+std::optional<ResultsOverlay::RunSample> ResultsOverlay::sample_near(const mrpt::math::TPoint2D& at,
+                                                                     double radius) const {
+  std::optional<RunSample> nearest;
+  double least = radius * radius;
+  for (std::size_t run = 0; run < runs_.size(); ++run) {
+    if (!runs_[run].trajectory || !is_shown(run)) continue;
+    const auto& samples = runs_[run].trajectory->samples;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double dx = samples[i].pose.x - at.x, dy = samples[i].pose.y - at.y;
+      const double squared = dx * dx + dy * dy;
+      if (squared > least || (nearest && squared == least)) continue;
+      least = squared;
+      nearest = RunSample{run, i};
+    }
+  }
+  return nearest;
+}
+
+std::string ResultsOverlay::sample_text(const RunSample& at) const {
+  const OverlayRun& run = runs_[at.run];
+  char text[96];
+  std::snprintf(text, sizeof text, " at %.2f s: %.2f m/s, clearance %.3f m", run.times[at.sample],
+                run.speeds[at.sample], run.clearances[at.sample]);
+  return overlay_label(run.record) + text;
 }
 
 std::optional<double> ResultsOverlay::now(std::size_t run,

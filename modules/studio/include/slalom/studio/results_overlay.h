@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/core/enum_names.h>
 #include <slalom/core/scratch_folder.h>
 #include <slalom/io/result_fields.h>
 #include <slalom/results/run_record.h>
@@ -13,6 +14,7 @@
 #include <slalom/studio/studio_events.h>
 #include <slalom/trajectory/trajectory.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -106,11 +108,29 @@ std::size_t sample_at(const Trajectory& trajectory, double time);
 /// Requires samples.
 mrpt::math::TPose2D pose_at(const Trajectory& trajectory, double time);
 
+/// Kinds of values that the color along the line of a run shows.
+enum class RunColoring { Method, Speed, Clearance };
+constexpr auto enum_names(RunColoring) {
+  return std::array{"method", "speed", "clearance"};
+}
+
+/// A part of a line in one color, between the samples `begin` and `end`, both included.
+struct ColoredPart {
+  std::size_t begin, end;
+  Color color;
+};
+
+/// The line through these values, each part in the color of the value at its begin on a scale from
+/// 0 to `maximum`. Adjacent parts differ by at least 1/32 of the scale. Other values, and NaN, have
+/// the color of the nearer end or of 0.
+std::vector<ColoredPart> colored_parts(const std::vector<double>& values, double maximum);
+
 /// One run to be drawn over its scenario, at one time of its replay.
 struct OverlayTrajectory {
   std::string label;    ///< e.g. "nd 0": method and repetition
   std::string outcome;  ///< e.g. "success"; the end is marked in outcome_color()
   Color color;
+  std::size_t run = 0;                           ///< index in ResultsOverlay::runs()
   std::shared_ptr<const Trajectory> trajectory;  ///< the complete run; not null, not empty
   double time = 0;                               ///< of the replay, s after the first sample
   std::size_t sample = 0;                        ///< index of the last sample not later than `time`
@@ -171,6 +191,22 @@ class ResultsOverlay {
   /// first one that is; without runs each stands where it starts.
   Movers people_in(const Scenario& scenario) const;
 
+  RunColoring coloring() const { return coloring_; }
+  void set_coloring(RunColoring coloring) { coloring_ = coloring; }
+  /// The values of the coloring, one per sample (m/s or m); null for that by method.
+  const std::vector<double>* colored_values(std::size_t run) const;
+  /// The maximum of these values over all runs of the scenario, also hidden ones; at least 0.
+  double max_colored_value() const;
+
+  /// A sample of a run that is shown.
+  struct RunSample {
+    std::size_t run, sample;
+  };
+  /// The one closest to a position, at most `radius` (m) away.
+  std::optional<RunSample> sample_near(const mrpt::math::TPoint2D& at, double radius) const;
+  /// "nd 0 at 3.40 s: 0.51 m/s, clearance 0.420 m".
+  std::string sample_text(const RunSample& at) const;
+
   ReplayClock& clock() { return clock_; }
   const ReplayClock& clock() const { return clock_; }
 
@@ -194,6 +230,7 @@ class ResultsOverlay {
   std::optional<std::size_t> selected_;
   std::set<std::pair<std::string, int>> hidden_;  ///< method and repetition
   ReplayClock clock_;
+  RunColoring coloring_ = RunColoring::Method;
   double movers_duration_ = 0;
 };
 
