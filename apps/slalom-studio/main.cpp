@@ -127,7 +127,7 @@ void define(CLI::App& app) {
   app.add_option("--script", arguments.script,
                  "Plays the user input of a script file, then exits (docs/studio.md)");
   app.add_option("--settings", arguments.settings,
-                 "File of the window layout (.ini; default: "
+                 "File of the window layout and recent files (.ini; default: "
                  "~/.config/slalom/studio.ini, none with --script)");
   app.callback([] {
     with_display("window", "xvfb-run -a slalom-studio --script FILE",

@@ -70,6 +70,32 @@ TEST_F(Studio, RestoresItsLayout) {
   EXPECT_NE(read("deep/studio.ini").find("\nwidth = 1000"), std::string::npos);
 }
 
+TEST_F(Studio, OpensRecentFilesOfEarlierSessions) {
+  make_list(1, "a.scenarios");
+  make_list(2, "b.scenarios");
+  expect_played(
+      "click menu File\n"
+      "expect popup contains \"/b.scenarios\"\n"
+      "key Escape\n"
+      "wait idle\n",
+      "a.scenarios b.scenarios --settings studio.ini");
+  std::filesystem::remove(folder_ / "a.scenarios");
+  expect_played(
+      "click menu File\n"
+      "expect popup contains \"/a.scenarios does not exist)\"\n"
+      "click popup file.recent_2\n"
+      "expect list lacks a.scenarios\n"
+      "key Escape\n"
+      "do file.recent_2\n"
+      "expect status contains \"/a.scenarios does not exist\"\n"
+      "click menu File\n"
+      "click popup file.recent_1\n"
+      "expect list contains \"tab 0: b.scenarios\"\n"
+      "wait idle\n",
+      "--settings studio.ini");
+  expect_played("click menu File\nexpect popup lacks .scenarios\n");
+}
+
 TEST_F(Studio, OpensDespiteInvalidSettings) {
   write("studio.ini", "[window]\nwidth = many\n");
   expect_played("expect status contains \"studio.ini:2: [window] width\"\n",

@@ -28,7 +28,7 @@ std::vector<std::string> Actions::menus() const {
 std::vector<const Action*> Actions::of_menu(const std::string& menu) const {
   std::vector<const Action*> actions;
   for (const Action& action : actions_)
-    if (action.menu == menu) actions.push_back(&action);
+    if (action.menu == menu && !action.is_hidden()) actions.push_back(&action);
   return actions;
 }
 
@@ -40,7 +40,8 @@ std::vector<const Action*> Actions::matching(const std::string& words) const {
     const auto is_there = [&](const std::string& word) {
       return text.find(word) != std::string::npos;
     };
-    if (std::all_of(all.begin(), all.end(), is_there)) actions.push_back(&action);
+    if (!action.is_hidden() && std::all_of(all.begin(), all.end(), is_there))
+      actions.push_back(&action);
   }
   return actions;
 }

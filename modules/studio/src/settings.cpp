@@ -3,6 +3,7 @@
 #include <slalom/io/result_file.h>
 #include <slalom/studio/settings.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace slalom {
@@ -10,7 +11,28 @@ namespace {
 
 constexpr const char* kWindowSection = "window";
 
+/// Whether the value is read as it is written: signs of comments and definitions may change it.
+bool is_ini_value(const std::string& text) {
+  try {
+    return IniFile::from_text("[a]\nb = " + text).get("a", "b") == text;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
+
+void remember_file(RecentFiles& files, const std::string& path) {
+  const std::filesystem::path file(path);
+  if (file.extension() != ".scenarios" && file.extension() != ".results") return;
+  std::error_code error;
+  const std::string absolute = std::filesystem::absolute(file, error).lexically_normal().string();
+  if (error || !is_ini_value(absolute)) return;
+  auto* place = std::find(files.begin(), files.end(), absolute);
+  if (place == files.end()) --place;
+  std::rotate(files.begin(), place, place + 1);
+  files.front() = absolute;
+}
 
 void StudioSettings::visit(OptionVisitor& v) {
   v.option("scale", scale, "-",
@@ -25,6 +47,8 @@ void StudioSettings::visit(OptionVisitor& v) {
   v.option("results_height", results_height, "pixels", "of the results", Range::between(0, 8192));
   v.option("legend", legend, "whether the list of layers is open");
   v.option("layers", layers, "visible layers, comma separated");
+  for (std::size_t i = 0; i < recent.size(); ++i)
+    v.option("recent_" + std::to_string(i + 1), recent[i], "a file of the menu File");
 }
 
 StudioSettings read_studio_settings(const std::string& path) {

@@ -35,7 +35,7 @@ Studio::Studio(SceneSettings settings, StudioServices services, std::function<vo
     : services_(std::move(services)),
       jobs_(std::move(wake)),
       scenes_(jobs_, events_, std::move(settings)),
-      results_(jobs_, events_),
+      results_(jobs_, events_, [this](const std::string& path) { remember_file(recent_, path); }),
       describe_options_(options_for(scenes_.settings())),
       descriptors_(jobs_, events_, describe_options_,
                    [this](const std::string& hash, const std::vector<KeyedValue>& values) {
@@ -58,7 +58,9 @@ ListDocument* Studio::active() const {
 void Studio::open_list(const std::string& path) {
   for (std::size_t i = 0; i < documents_.size(); ++i) {
     std::error_code error;
-    if (std::filesystem::equivalent(documents_[i]->path(), path, error)) return activate(i);
+    if (!std::filesystem::equivalent(documents_[i]->path(), path, error)) continue;
+    remember_file(recent_, documents_[i]->path());
+    return activate(i);
   }
   auto document = std::make_unique<ListDocument>(path, &jobs_);
   document->set_describe_options(describe_options());
@@ -72,6 +74,7 @@ void Studio::open_list(const std::string& path) {
     read_list_values();
   });
   documents_.push_back(std::move(document));
+  remember_file(recent_, path);
   activate(documents_.size() - 1);
 }
 

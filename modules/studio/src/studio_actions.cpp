@@ -8,6 +8,8 @@
 #include <slalom/studio/actions.h>
 #include <slalom/studio/studio.h>
 
+#include <filesystem>
+
 namespace slalom {
 namespace {
 
@@ -264,6 +266,18 @@ std::function<void()> opens(Studio& studio, Form form) {
   return [&studio, form] { studio.events().show_form(form(studio)); };
 }
 
+/// The path without as many of its first folders as a menu has no space for.
+std::string short_path(const std::string& path) {
+  constexpr std::size_t kMaxLength = 36;
+  std::size_t begin = 0;
+  while (path.size() - begin > kMaxLength) {
+    const std::size_t slash = path.find('/', begin + 1);
+    if (slash == std::string::npos) break;
+    begin = slash;
+  }
+  return (begin == 0 ? "" : "...") + path.substr(begin);
+}
+
 /// For example "Undo: delete 3 scenarios".
 std::string with_title(const std::string& word, const std::string& title) {
   return title.empty() ? word : word + ": " + title;
@@ -305,6 +319,28 @@ void add_file_actions(Actions& actions, Studio& studio) {
                [&studio]() -> std::string {
                  return studio.results().overlay().is_open() ? "" : "no results are open";
                }});
+}
+
+void add_recent_actions(Actions& actions, Studio& studio) {
+  for (std::size_t i = 0; i < studio.recent().size(); ++i) {
+    const auto path = [&studio, i]() -> std::string { return studio.recent()[i]; };
+    const std::string number = std::to_string(i + 1);
+    actions.add({"file.recent_" + number,
+                 "File",
+                 "Recent file " + number,
+                 "",
+                 "Opens a list or results that were open before.",
+                 [&studio, path] { open_files(studio, {path()}); },
+                 [path]() -> std::string {
+                   std::error_code error;
+                   return std::filesystem::exists(path(), error)
+                              ? ""
+                              : short_path(path()) + " does not exist";
+                 },
+                 [path] { return short_path(path()); },
+                 {},
+                 [path] { return path().empty(); }});
+  }
 }
 
 void add_edit_actions(Actions& actions, Studio& studio) {

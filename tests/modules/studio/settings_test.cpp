@@ -34,6 +34,25 @@ TEST_F(StudioSettingsTest, AreReadAsWritten) {
   EXPECT_EQ(read.layers, "obstacles,voronoi");
 }
 
+TEST_F(StudioSettingsTest, KeepTheEightFilesThatWereOpenedLast) {
+  StudioSettings settings;
+  for (int i = 0; i < 9; ++i)
+    remember_file(settings.recent, "/lists/" + std::to_string(i) + ".scenarios");
+  remember_file(settings.recent, "/lists/../lists/3.scenarios");  // again
+  remember_file(settings.recent, "runs, small.results");
+  const std::string here = std::filesystem::current_path().string();
+  const RecentFiles expected = {here + "/runs, small.results", "/lists/3.scenarios",
+                                "/lists/8.scenarios",          "/lists/7.scenarios",
+                                "/lists/6.scenarios",          "/lists/5.scenarios",
+                                "/lists/4.scenarios",          "/lists/2.scenarios"};
+  EXPECT_EQ(settings.recent, expected);
+  for (const char* other : {"/a.yaml", "/a #1.scenarios", "/${a}.scenarios", "/a\nb.scenarios"})
+    remember_file(settings.recent, other);
+  EXPECT_EQ(settings.recent, expected) << "no list, or not to be written to an .ini";
+  write_studio_settings(settings, path_);
+  EXPECT_EQ(read_studio_settings(path_).recent, expected);
+}
+
 TEST_F(StudioSettingsTest, AreTheDefaultsWithoutAFile) {
   EXPECT_EQ(read_studio_settings(path_).width, StudioSettings().width);
 }

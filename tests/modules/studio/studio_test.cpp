@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "finish_jobs.h"
 #include "list_files.h"
+#include "results_sample.h"
 
 #include <slalom/studio/actions.h>
 #include <slalom/studio/studio.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -20,6 +22,7 @@ class StudioWithoutWindow : public ListFiles {
       studio_.events().observe({change}, [this, change] { changes_.push_back(change); });
     add_file_actions(actions_, studio_);
     add_import_export_actions(actions_, studio_);
+    add_recent_actions(actions_, studio_);
     add_edit_actions(actions_, studio_);
     add_list_actions(actions_, studio_);
     add_generate_actions(actions_, studio_);
@@ -53,6 +56,36 @@ TEST_F(StudioWithoutWindow, PublishesWhatBelongsToTheCurrentScenario) {
   studio_.close_list(0);
   EXPECT_FALSE(studio_.scenes().scene());
   EXPECT_EQ(studio_.active(), nullptr);
+}
+
+TEST_F(StudioWithoutWindow, OpensListsAndResultsAgain) {
+  const auto recent = [this] {
+    std::vector<std::string> labels;
+    for (const Action* action : actions_.matching("file .")) labels.push_back(action->label());
+    return labels;
+  };
+  const std::size_t others = recent().size();  // "New list..."
+  const std::string list = make_list("a.scenarios", 3), results = folder_ / "a.results";
+  write_overlay_sample(results, {});
+  studio_.open_list(list);
+  studio_.results().open(results);
+  finish();
+  EXPECT_EQ(recent().size(), others + 2);
+  EXPECT_EQ(studio_.recent()[0], results);
+  EXPECT_EQ(studio_.recent()[1], list);
+  studio_.close_list(0);
+  studio_.results().close();
+  actions_.run("file.recent_2");
+  EXPECT_EQ(studio_.active()->path(), list);
+  EXPECT_EQ(studio_.recent()[0], list) << "the latest";
+  actions_.run("file.recent_2");
+  finish();
+  EXPECT_EQ(studio_.results().path(), results);
+  const std::string label = actions_.find("file.recent_1").label();
+  EXPECT_LE(label.size(), 39U) << "for a menu";
+  EXPECT_EQ(label.substr(label.size() - 10), "/a.results");
+  std::filesystem::remove(results);
+  EXPECT_EQ(actions_.find("file.recent_1").disabled_reason(), label + " does not exist");
 }
 
 TEST_F(StudioWithoutWindow, ReadsTheShownValuesAgainWhenTheListChanges) {

@@ -71,6 +71,7 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
                   std::move(services)),
       settings_(settings) {
   make_elements();
+  studio().recent() = settings.recent;
   view_->set_legend_open(settings.legend);
   show_layers(settings.layers);
   add_actions();
@@ -100,6 +101,7 @@ void StudioWindow::show_layers(const std::string& names) {
 void StudioWindow::add_actions() {
   add_file_actions(actions_, studio());
   add_import_export_actions(actions_, studio());
+  add_recent_actions(actions_, studio());
   actions_.add({"file.quit", "File", "Quit", "Ctrl+Q", "Closes the window. All changes are saved.",
                 [this] { setVisible(false); }});
   add_edit_actions(actions_, studio());
@@ -273,6 +275,7 @@ StudioSettings StudioWindow::settings() const {
   now.width = std::clamp(width(), 640, 8192);
   now.height = std::clamp(height(), 480, 8192);
   now.legend = view_->legend_open();
+  now.recent = studio().recent();
   now.layers.clear();
   for (const auto& layer : view_->layers())
     if (layer.on) now.layers += (now.layers.empty() ? "" : ",") + layer.id;

@@ -342,6 +342,7 @@ void ResultsLoader::open(const std::string& path) {
           file_ = source;
           overlay_.set_source(source);
           fields_ = fields;
+          opened_(file_.path);
           read_runs();
         };
       },

@@ -43,8 +43,11 @@ struct Action {
   std::function<std::string()> current_label = {};
   /// Whether a toggle action is on.
   std::function<bool()> checked = {};
+  /// Whether menus leave the action out now.
+  std::function<bool()> hidden = {};
 
   std::string disabled_reason() const { return disabled_check ? disabled_check() : std::string(); }
+  bool is_hidden() const { return hidden && hidden(); }
   std::string label() const { return current_label ? current_label() : title; }
 };
 
@@ -66,8 +69,10 @@ class Actions {
   void add(Action action);
   const std::vector<Action>& all() const { return actions_; }
   std::vector<std::string> menus() const;  ///< in order, without duplicates
+  /// Those that are not hidden.
   std::vector<const Action*> of_menu(const std::string& menu) const;
-  /// Returns those whose menu and label contain each of the words, in any order and case.
+  /// Returns those that are not hidden whose menu and label contain each of the words, in any order
+  /// and case.
   std::vector<const Action*> matching(const std::string& words) const;
   /// Throws Error (Usage) naming the nearest id.
   const Action& find(const std::string& id) const;
@@ -90,6 +95,8 @@ void add_generate_actions(Actions& actions, Studio& studio);
 /// `actions` must outlive the studio's events.
 void add_help_actions(Actions& actions, Studio& studio);
 
+/// The recent files, of the menu File.
+void add_recent_actions(Actions& actions, Studio& studio);
 /// Import and export, of the menu File.
 void add_import_export_actions(Actions& actions, Studio& studio);
 /// Running the methods of a campaign on the current scenario, of the menu Generate.

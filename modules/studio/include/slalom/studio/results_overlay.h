@@ -15,6 +15,7 @@
 #include <slalom/trajectory/trajectory.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -238,7 +239,11 @@ class ResultsOverlay {
 /// background jobs. Publishes Change::Runs.
 class ResultsLoader {
  public:
-  ResultsLoader(Jobs& jobs, StudioEvents& events) : jobs_(jobs), events_(events) {}
+  using Opened = std::function<void(const std::string& path)>;
+  /// Calls `opened` when a file was opened.
+  ResultsLoader(
+      Jobs& jobs, StudioEvents& events, Opened opened = [](const std::string&) {})
+      : jobs_(jobs), events_(events), opened_(std::move(opened)) {}
 
   ResultsOverlay& overlay() { return overlay_; }
   const ResultsOverlay& overlay() const { return overlay_; }
@@ -276,6 +281,7 @@ class ResultsLoader {
 
   Jobs& jobs_;
   StudioEvents& events_;
+  Opened opened_;
   ResultsOverlay overlay_;
   std::shared_ptr<const ResultFields> fields_;
   struct RunsHere {

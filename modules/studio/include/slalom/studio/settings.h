@@ -3,11 +3,20 @@
 
 #include <slalom/core/options.h>
 
+#include <array>
 #include <string>
 
 namespace slalom {
 
-/// Window layout that is kept between sessions: section [window] of the settings file.
+/// Absolute paths of the lists (.scenarios) and results (.results) that were opened last, the
+/// latest first; empty ones at the end.
+using RecentFiles = std::array<std::string, 8>;
+
+/// Puts a file first. Ignores files with other extensions, and paths that an .ini cannot hold.
+void remember_file(RecentFiles& files, const std::string& path);
+
+/// Window layout and recent files that are kept between sessions: section [window] of the settings
+/// file.
 struct StudioSettings {
   double scale = 0;                ///< screen pixels per pixel of the layout; 0: as the desktop
   int width = 1280, height = 800;  ///< pixels
@@ -16,6 +25,7 @@ struct StudioSettings {
   int results_height = 220;        ///< pixels
   bool legend = true;              ///< of the scenario view, whether it is open
   std::string layers = "obstacles,shortest,safest,scan,trajectories,start_goal";  ///< visible
+  RecentFiles recent;
 
   void visit(OptionVisitor& v);
 };

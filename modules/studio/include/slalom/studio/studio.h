@@ -7,6 +7,7 @@
 #include <slalom/studio/scene.h>
 #include <slalom/studio/scene_editor.h>
 #include <slalom/studio/services.h>
+#include <slalom/studio/settings.h>
 
 #include <functional>
 #include <memory>
@@ -39,6 +40,9 @@ class Studio {
   void create_list(const std::string& path);
   void close_list(std::size_t index);
   void activate(std::size_t index);
+
+  RecentFiles& recent() { return recent_; }
+  const RecentFiles& recent() const { return recent_; }
 
   /// The choices of the user about run_methods_here().
   struct RunChoice {
@@ -90,6 +94,7 @@ class Studio {
   std::string current_hash_;
   std::vector<std::string> shown_ids_;
   RunChoice run_choice_;
+  RecentFiles recent_;
   std::function<bool(std::size_t)> reveal_ = [](std::size_t) { return true; };
 };
 
