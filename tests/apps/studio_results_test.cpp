@@ -186,6 +186,39 @@ TEST_F(StudioResults, AreReplayedByTheSliderAndThePlots) {
   EXPECT_DOUBLE_EQ(time_of(keyed).first, 1.1);
 }
 
+TEST_F(StudioResults, HavePlotsOfARangeOfTimes) {
+  const std::string shown = expect_overlaid(
+      "wait idle\n"
+      "click replay slider at 0.25 0.5\n"
+      "print replay\n"
+      "drag plot_speed plot at 0.75 0.5 to plot_speed plot at 0.5 0.5\n"
+      "expect plot_speed contains \"times \"\n"
+      "expect plot_clearance contains \"times \"\n"
+      "print replay\n"
+      "click plot_clearance plot\n"
+      "print replay\n"
+      "click plot_speed plot at 0.25 0.5 double\n"
+      "expect plot_speed lacks \"times \"\n"
+      "print replay\n"
+      "drag plot_speed plot at 0.2 0.5 to plot_speed plot at 0.4 0.5\n"
+      "click runs \"row vff\"\n"
+      "expect plot_clearance contains \"times \"\n"
+      "key 0\n"
+      "expect plot_clearance lacks \"times \"\n");
+  std::vector<double> times;
+  double duration = 0;
+  for (std::size_t at = shown.find("time "); at != std::string::npos;
+       at = shown.find("time ", at + 1)) {
+    const auto [time, end] = time_of(shown.substr(at, shown.find('\n', at) - at));
+    times.push_back(time);
+    duration = end;
+  }
+  ASSERT_EQ(times.size(), 4U) << shown;
+  EXPECT_DOUBLE_EQ(times[1], times[0]) << "the drag";
+  EXPECT_NEAR(times[2], 0.625 * duration, duration / 50) << "the middle of the range";
+  EXPECT_DOUBLE_EQ(times[3], times[2]) << "the double click";
+}
+
 TEST_F(StudioResults, AreColoredBySpeedOrClearanceAndReadAtTheMouse) {
   expect_overlaid(
       "wait idle\n"

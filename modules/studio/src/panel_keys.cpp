@@ -36,6 +36,7 @@ const std::vector<PanelKey>& panel_keys() {
       {"results", {"Space"}, "show or hide the runs of the line"},
       {"results", {"A"}, "hide or show all runs"},
       {"results", {"P"}, "play or pause"},
+      {"results", {"0"}, "show all times in the plots"},
       {"results", {"Left", "Right"}, "0.1 s back, forward; with Shift 1 s"},
       {"results", {"Plus", "Minus"}, "speed of the replay"}};
   return keys;

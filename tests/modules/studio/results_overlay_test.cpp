@@ -270,6 +270,25 @@ TEST_F(ResultsOverlayTest, TheSampleNearAPositionIsOfARunThatIsShown) {
   EXPECT_EQ("ptg 0 at 0.50 s: 2.00 m/s, clearance 0.800 m", near(1.52, 0.5)) << "0.48 m before it";
 }
 
+TEST_F(ResultsOverlayTest, PlotsShowARangeOfTimesUntilOtherRunsAreShown) {
+  using Times = std::pair<double, double>;
+  ResultsOverlay overlay = opened();  // 8 s
+  overlay.clock().seek(3);
+  EXPECT_FALSE(overlay.shown_times());
+  overlay.show_times(5, 2);
+  EXPECT_EQ(overlay.shown_times(), Times(2, 5));
+  overlay.show_times(6, 99);
+  EXPECT_EQ(overlay.shown_times(), Times(6, 8)) << "clamped";
+  overlay.show_times(-2, -1);
+  EXPECT_EQ(overlay.shown_times(), Times(6, 8)) << "nothing is there";
+  EXPECT_DOUBLE_EQ(overlay.clock().time(), 3);
+  overlay.show_all_times();
+  EXPECT_FALSE(overlay.shown_times());
+  overlay.show_times(2, 5);
+  overlay.set_runs({});
+  EXPECT_FALSE(overlay.shown_times());
+}
+
 TEST(ColoredParts, JoinSamplesOfOneColor) {
   const auto texts = [](const std::vector<double>& values, double maximum) {
     std::vector<std::string> lines;

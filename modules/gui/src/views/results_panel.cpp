@@ -31,7 +31,7 @@ std::string value_text(const std::optional<double>& value, const char* unit) {
 
 /// The recorded runs: their table, the replay with its slider, and plots of clearance and speed
 /// over time. Wide panels have the table at the left, high ones at the top. Keys: those of
-/// the table, or those of the replay if the slider has the focus.
+/// the table, or those of the replay if the slider has the focus; 0 shows all times in the plots.
 ///
 /// Parts: those of the table and of the replay; its elements have the ids "runs", "replay",
 /// "plot_clearance" and "plot_speed".
@@ -84,6 +84,7 @@ class ResultsPanel : public Element {
   }
   bool key(int key, int modifiers) override {
     // nanogui sends keys to outer elements first; they go to the table unless the slider has focus.
+    if (key == GLFW_KEY_0) return overlay_.show_all_times(), true;
     if (!replay_->focused() && table_->keyboardEvent(key, 0, GLFW_PRESS, modifiers)) return true;
     return replay_->keyboardEvent(key, 0, GLFW_PRESS, modifiers);
   }

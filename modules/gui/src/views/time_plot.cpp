@@ -4,6 +4,7 @@
 
 #include <slalom/core/text.h>
 
+#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -16,8 +17,11 @@ constexpr int kDigits = 3;  ///< decimals of values at the marker
 constexpr double kSampleWidth = 14, kSampleGap = 4, kEntryGap = 12;
 constexpr float kSmallLegendSize = 11;
 
-/// Lines over the time of a replay, whose time is moved by clicking and dragging. Parts: "plot",
-/// "marker".
+constexpr double kMinDrag = 4;        ///< pixels; a shorter drag is a click
+constexpr double kDoubleClick = 0.4;  ///< s
+
+/// Lines over the time of a replay. A click moves its time, a drag shows a range of times, and a
+/// double click shows all of them. Parts: "plot", "marker".
 class TimePlot : public Plot {
  public:
   using Values = std::vector<double> OverlayRun::*;
@@ -33,6 +37,9 @@ class TimePlot : public Plot {
   std::string text() const override {
     std::string text = y_title_ + " over " + x_title();
     if (!x_range_) return text + "\nno data";
+    if (const auto& times = overlay_.shown_times())
+      text += "\ntimes " + format_fixed(times->first, 2) + " to " + format_fixed(times->second, 2) +
+              " s";
     if (marker()) text += "\nmarker " + format_fixed(*marker(), kDigits);
     for (const LineSeries& series : series_) text += "\n" + legend_of(series);
     return text;
@@ -40,7 +47,8 @@ class TimePlot : public Plot {
 
  protected:
   PlotFrame frame() const override {
-    return PlotFrame::within(area(), x_range_.value_or(std::pair(0.0, 1.0)), y_range_);
+    const Interval all = x_range_.value_or(Interval(0, 1));
+    return PlotFrame::within(area(), overlay_.shown_times().value_or(all), y_range_);
   }
   std::string message() const override { return x_range_ ? "" : "no data"; }
   std::string x_title() const override { return "time (s)"; }
@@ -48,26 +56,45 @@ class TimePlot : public Plot {
   void paint_data(NVGcontext* ctx, const PlotFrame& frame) override {
     for (const LineSeries& series : series_) draw_series(ctx, frame, series);
     draw_legend(ctx, frame);
-    if (!marker() || *marker() > frame.x.high()) return;
+    if (drag_) {
+      const auto [left, right] = std::minmax(drag_->first, drag_->second);
+      draw::fill(ctx, {left, frame.area.top, right - left, frame.area.height},
+                 faded(palette().accent, 0.3));
+    }
+    if (!marker_visible(frame)) return;
     const double at = frame.x.to_pixel(*marker());
     draw::line(ctx, at, frame.area.top, at, frame.area.bottom(), palette().text, 1.5);
   }
   std::vector<Part> parts() const override {
     std::vector<Part> all = Plot::parts();
     const PlotFrame shown = frame();
-    if (marker() && x_range_)
+    if (marker_visible(shown) && x_range_)
       all.push_back(
           {"marker", {shown.x.to_pixel(*marker()) - 3, shown.area.top, 6, shown.area.height}});
     return all;
   }
   bool press(const Point& at, int /*modifiers*/) override {
-    const PlotAxis axis = frame().x;
-    if (x_range_) clock_.seek(std::clamp(axis.to_value(at.x), axis.low(), axis.high()));
+    if (x_range_) drag_ = {in_plot(at.x), in_plot(at.x)};
     return true;
   }
-  void drag(const Point& at) override { press(at, 0); }
+  void drag(const Point& at) override {
+    if (drag_) drag_->second = in_plot(at.x);
+  }
+  void release(const Point& /*at*/) override {
+    if (!drag_) return;
+    const auto [from, to] = *drag_;
+    drag_.reset();
+    if (std::abs(to - from) < kMinDrag) return click_at(from);
+    clicked_.reset();
+    const PlotAxis axis = frame().x;
+    overlay_.show_times(axis.to_value(from), axis.to_value(to));
+  }
 
  private:
+  struct Click {
+    double pixel, at;    ///< `at` in s, of the window's clock
+    double time_before;  ///< of the replay
+  };
   std::string y_title_;
   Values values_;
   ResultsOverlay& overlay_;
@@ -75,6 +102,29 @@ class TimePlot : public Plot {
   std::vector<LineSeries> series_;
   std::optional<Interval> x_range_;  ///< nullopt: no data
   Interval y_range_ = {0, 1};
+  std::optional<Interval> drag_;  ///< pixels, while the button is pressed
+  std::optional<Click> clicked_;  ///< the last click, unless it was the second one
+
+  double in_plot(double pixel) const {
+    const ScreenRect plot = frame().area;
+    return std::clamp(pixel, plot.left, plot.right());
+  }
+  /// Moves the time; a second click undoes that and shows all times.
+  void click_at(double pixel) {
+    const double now = glfwGetTime();
+    if (clicked_ && now - clicked_->at < kDoubleClick &&
+        std::abs(pixel - clicked_->pixel) < kMinDrag) {
+      clock_.seek(clicked_->time_before);
+      clicked_.reset();
+      return overlay_.show_all_times();
+    }
+    clicked_ = Click{pixel, now, clock_.time()};
+    const PlotAxis axis = frame().x;
+    clock_.seek(std::clamp(axis.to_value(pixel), axis.low(), axis.high()));
+  }
+  bool marker_visible(const PlotFrame& frame) const {
+    return marker() && *marker() >= frame.x.low() && *marker() <= frame.x.high();
+  }
 
   void refresh() {
     series_.clear();

@@ -105,6 +105,7 @@ void ResultsOverlay::change_source(OverlaySource source) {
 }
 
 void ResultsOverlay::set_runs(std::vector<OverlayRun> runs) {
+  show_all_times();
   runs_ = std::move(runs);
   selected_.reset();
   clock_.pause();
@@ -269,6 +270,12 @@ std::vector<ColoredPart> colored_parts(const std::vector<double>& values, double
     parts.push_back({begin, end, heat_color(level(begin) / kColors)});
   }
   return parts;
+}
+
+void ResultsOverlay::show_times(double first, double last) {
+  const auto [begin, end] = std::minmax(
+      {std::clamp(first, 0.0, clock_.duration()), std::clamp(last, 0.0, clock_.duration())});
+  if (begin < end) shown_times_ = {begin, end};
 }
 
 const std::vector<double>* ResultsOverlay::colored_values(std::size_t run) const {

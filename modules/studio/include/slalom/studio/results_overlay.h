@@ -208,6 +208,14 @@ class ResultsOverlay {
   /// "nd 0 at 3.40 s: 0.51 m/s, clearance 0.420 m".
   std::string sample_text(const RunSample& at) const;
 
+  /// The times (s after the first sample) that plots show; none is all of them, as after
+  /// set_runs().
+  const std::optional<std::pair<double, double>>& shown_times() const { return shown_times_; }
+  /// From `first` to `last` in either order, clamped to the time of the replay; ignored if nothing
+  /// is between them.
+  void show_times(double first, double last);
+  void show_all_times() { shown_times_.reset(); }
+
   ReplayClock& clock() { return clock_; }
   const ReplayClock& clock() const { return clock_; }
 
@@ -232,6 +240,7 @@ class ResultsOverlay {
   std::set<std::pair<std::string, int>> hidden_;  ///< method and repetition
   ReplayClock clock_;
   RunColoring coloring_ = RunColoring::Method;
+  std::optional<std::pair<double, double>> shown_times_;
   double movers_duration_ = 0;
 };
 
