@@ -317,7 +317,7 @@ class Barrier {
 };
 
 /// The values of parameters by their type (rcl_interfaces/msg/ParameterType).
-enum : std::uint8_t { kNotSet = 0, kBool = 1, kInteger = 2, kDouble = 3, kString = 4 };
+constexpr std::uint8_t kNotSet = 0, kBool = 1, kInteger = 2, kDouble = 3, kString = 4;
 constexpr std::array kTypeNames = {"nothing", "a bool", "an integer", "a double", "a string"};
 
 std::string describe(const NodeParameter& parameter) {
@@ -379,8 +379,9 @@ class NodeParameters {
       is_equal = has_value(reply.values._buffer[0], parameter.value);
     };
     if (!get_.await_reply<slalom_ros2_CycloneValues>(seconds, receive))
-      return "reply about the " + describe(parameter);
-    if (type == kNotSet) return describe(parameter);
+      return (is_absent_ ? "" : "reply about the ") + describe(parameter);
+    is_absent_ = type == kNotSet;
+    if (is_absent_) return describe(parameter);
     const bool was_set = std::exchange(was_set_, false);
     if (is_equal) return "";
     if (was_set)
@@ -419,6 +420,7 @@ class NodeParameters {
   Client get_, set_;
   std::uint8_t type_ = kNotSet;  ///< of the parameter that is to be set
   bool was_set_ = false;         ///< and is to be read again
+  bool is_absent_ = false;       ///< the node has said so; it may declare it later
 };
 
 builtin_interfaces_msg_dds__Time_ to_ros(RosTime time) {

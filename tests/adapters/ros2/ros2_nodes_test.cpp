@@ -252,10 +252,11 @@ TEST_F(Ros2NodesTest, AParameterThatANodeDoesNotTakeIsAnErrorWithItsReason) {
   const auto refused = [](const std::string& set, std::initializer_list<std::string> words,
                           const std::string& arguments = "") {
     return throws_error(ErrorKind::Usage, "my.ini:5: [method.a] parameter_set", words, [&] {
-      const IniFile ini = IniFile::from_text(
-          "[method.a]\nadapter = ros2\nlaunch = exec " CYCLONE_PEER " " + arguments +
-              "\nstartup_time = 5\nparameter_set = method." + set + "\n",
-          "my.ini");
+      const IniFile ini =
+          IniFile::from_text("[method.a]\nadapter = ros2\nlaunch = exec " CYCLONE_PEER " " +
+                                 arguments + "\nstartup_time = " + (set == "sped=1" ? "10" : "60") +
+                                 "\nparameter_set = method." + set + "\n",
+                             "my.ini");
       read_ros2_method(ini, "method.a")(RobotModel(), SensorModel());
     });
   };
@@ -264,7 +265,7 @@ TEST_F(Ros2NodesTest, AParameterThatANodeDoesNotTakeIsAnErrorWithItsReason) {
   EXPECT_TRUE(refused("count=2.5", {"parameter count", "is an integer, not '2.5'"}));
   EXPECT_TRUE(refused("on=1", {"parameter on", "is a bool, not '1'"}));
   EXPECT_TRUE(refused("list=1", {"parameter list", "is an array"}));
-  EXPECT_TRUE(refused("sped=1", {"no parameter sped of the node /method after 5 s"}));
+  EXPECT_TRUE(refused("sped=1", {"no parameter sped of the node /method after 10 s"}));
   EXPECT_TRUE(refused("speed=0.5", {"does not keep its value"}, "forgetful"));
 }
 
