@@ -37,7 +37,7 @@ struct Arguments {
   std::vector<std::string> all_results;  ///< of report
   std::string results, rows, columns, output, run;
   double confidence = 0;  ///< 0: that of the campaign
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, single_file = false;
 };
 
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& help,
@@ -117,7 +117,7 @@ void report_verb(const Arguments& arguments) {
     warn_of_missing(paths.back(), results.back());
   }
   const std::filesystem::path output = arguments.output;
-  const bool is_packed = output.extension() == ".html";
+  const bool is_packed = arguments.single_file || output.extension() == ".html";
   const ScratchFolder scratch;
   const std::string folder = is_packed ? scratch.path() : output.string();
   if (paths.size() == 1)
@@ -167,6 +167,7 @@ void define_report(CLI::App& app, Arguments& arguments) {
   verb->add_option("-o,--output", arguments.output,
                    "Folder to write to, or a file FILE.html that contains all of it, for mail")
       ->required();
+  verb->add_flag("--single-file", arguments.single_file, "One file, whatever the name of --output");
   verb->add_flag("--quiet", arguments.quiet, "No messages");
   verb->callback([&arguments] { report_verb(arguments); });
 }
