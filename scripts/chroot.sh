@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Functions of check_archive.sh and check_packages.sh, which source this file: a new Debian system in $root.
+# Functions of check_archive.sh, check_container.sh and check_packages.sh, which source this file: a new Debian system in
+# $root.
 refuse() {
   echo "$(basename "$0"): $1" >&2
   exit 2
@@ -18,11 +19,16 @@ with_private_mounts() {
   [ "${SLALOM_PRIVATE_MOUNTS:-}" ] || SLALOM_PRIVATE_MOUNTS=1 exec unshare --mount "$0" "$@"
 }
 
+remove_system() {
+  umount "$root/proc" 2>/dev/null || true
+  rm -rf "$root"
+}
+
 # Sets root to the folder of a new system, which is removed at the end.
 new_system() {
   local suite=$1 mirror=http://deb.debian.org/debian
   root=$(mktemp -d /tmp/slalom-chroot.XXXXXX)
-  trap 'umount "$root/proc" 2>/dev/null; rm -rf "$root"' EXIT
+  trap remove_system EXIT
   chmod 755 "$root"
   echo "== a new system: $suite"
   if command -v mmdebstrap >/dev/null; then

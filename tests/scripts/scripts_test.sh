@@ -161,6 +161,17 @@ expect_text "to the last line" "as it downloads a system." "$work/out"
 expect "it refuses a path for a name" refuses_packages "../trixie: expected the code name" ../trixie "$work"
 expect "it refuses a folder without packages" refuses_packages "$work: no slalom_*.deb" trixie "$work"
 
+check_container() { "$sources/scripts/check_container.sh" "$@" >"$work/out" 2>"$work/err"; }
+refuses_container() {
+  local text=$1
+  shift
+  check_container "$@"
+  [ $? -eq 2 ] && grep -qF -- "$text" "$work/err"
+}
+expect "the check of the container explains itself" check_container --help
+expect_text "to the last line" "as it downloads a system." "$work/out"
+expect "it refuses a folder without packages" refuses_container "$work: no slalom_*.deb" "$work"
+
 check_archive() { "$sources/scripts/check_archive.sh" "$@" >"$work/out" 2>"$work/err"; }
 refuses_archive() {
   local text=$1
