@@ -1,22 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Unpacks the archive of scripts/archive.sh in a new Debian system below /tmp, without installing any package there, and
-# runs campaigns as an ordinary user:
-#   scripts/check_archive.sh [SUITE [ARCHIVE]]
-# SUITE is a code name, default trixie (Debian 13). ARCHIVE is by default that of build/release. The folder has a space in
-# its name. Checked are the first campaign of the README with its report, a method in Python, tables and the help of a
-# program. Runs as root; needs the packages debootstrap or mmdebstrap, util-linux and zstd, and a mirror. Not part of
-# scripts/test.sh, as it downloads a system.
+# Unpacks the archive of scripts/archive.sh in a new system below /tmp, without installing any package there, and runs
+# campaigns as an ordinary user:
+#   scripts/check_archive.sh [SUITE [ARCHIVE [MIRROR]]]
+# SUITE is the code name of a release of Debian, default trixie (Debian 13), or of Ubuntu, noble (24.04) or resolute (26.04).
+# ARCHIVE is by default that of build/release, MIRROR that of the distribution; Ubuntu's signatures are checked only where
+# its keyring is installed. The folder has a space in its name. Checked are the first campaign of the README with its
+# report, a method in Python, tables and the help of a program. Runs as root; needs the packages debootstrap (for Debian,
+# or mmdebstrap), util-linux and zstd. Not part of scripts/test.sh, as it downloads a system.
 set -euo pipefail
 sources=$(dirname "$(dirname "$(realpath "$0")")")
 source "$sources/scripts/chroot.sh"
 [ "${1:-}" != --help ] || { usage && exit 0; }
-suite=${1:-trixie} archive=${2:-$(compgen -G "$sources/build/release/slalom-*-x86_64.tar.zst" || true)}
+suite=${1:-trixie} archive=${2:-$(compgen -G "$sources/build/release/slalom-*-x86_64.tar.zst" || true)} mirror=${3:-}
 expect_suite "$suite"
 [ -f "$archive" ] || refuse "${archive:-$sources/build/release}: no archive; expected that of scripts/archive.sh"
-with_private_mounts "$suite" "$archive"
+with_private_mounts "$suite" "$archive" "$mirror"
 
-new_system "$suite"
+new_system "$suite" "$mirror"
 inside useradd --create-home user
 as_user() { chroot --userspec=user:user "$root" /usr/bin/env -i PATH=/usr/bin:/bin HOME=/home/user LC_ALL=C "$@"; }
 home="$root/home/user"

@@ -10,7 +10,7 @@ refuse() {
 usage() { sed -n '3,/^set /{/^set /d; s/^# \{0,1\}//; p}' "$0"; }
 
 expect_suite() {
-  [[ $1 =~ ^[a-z]+$ ]] || refuse "$1: expected the code name of a release of Debian, for example trixie"
+  [[ $1 =~ ^[a-z]+$ ]] || refuse "$1: expected the code name of a release, for example trixie"
 }
 
 # Starts the script again, as root with mounts of its own, unless it has them.
@@ -24,17 +24,25 @@ remove_system() {
   rm -rf "$root"
 }
 
-# Sets root to the folder of a new system, which is removed at the end.
+# Sets root to the folder of a new system, SUITE of Debian or an LTS release of Ubuntu, which is removed at the end:
+# new_system SUITE [MIRROR].
 new_system() {
-  local suite=$1 mirror=http://deb.debian.org/debian
+  local suite=$1 mirror=http://deb.debian.org/debian ubuntu=
+  case $suite in
+    noble | resolute) ubuntu=1 mirror=http://archive.ubuntu.com/ubuntu ;;
+  esac
+  mirror=${2:-$mirror}
   root=$(mktemp -d /tmp/slalom-chroot.XXXXXX)
   trap remove_system EXIT
   chmod 755 "$root"
   echo "== a new system: $suite"
-  if command -v mmdebstrap >/dev/null; then
-    mmdebstrap --quiet --variant=apt "$suite" "$root" $mirror
+  if [ "$ubuntu" ]; then
+    # A debootstrap older than the release lacks its name; all releases of Ubuntu are made like this one.
+    debootstrap --variant=minbase "$suite" "$root" "$mirror" gutsy >/dev/null
+  elif command -v mmdebstrap >/dev/null; then
+    mmdebstrap --quiet --variant=apt "$suite" "$root" "$mirror"
   else
-    debootstrap --variant=minbase "$suite" "$root" $mirror >/dev/null
+    debootstrap --variant=minbase "$suite" "$root" "$mirror" >/dev/null
   fi
   mount -t proc proc "$root/proc"
 }
