@@ -327,6 +327,8 @@ std::string scenario_picture(const ReportInput& input, const ScenarioRuns& conte
                                     from_stored_name<Outcome>("outcome", run.outcome),
                                     method_color(input.runs.method[content.first_run + i])});
   }
+  constexpr double kMargin = 2;  // m, as around the path on the page of a run
+  options.view = view_around(content.content, options.trajectories, kMargin);
   return render_svg(content.content, options);
 }
 

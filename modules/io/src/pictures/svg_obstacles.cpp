@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +13,8 @@
 
 namespace slalom {
 namespace {
+
+using mrpt::math::TPoint2D;
 
 constexpr const char* kFill = "#8a8f98";
 
@@ -39,27 +42,36 @@ struct Run {
   bool operator<(const Run& o) const { return first != o.first ? first < o.first : last < o.last; }
 };
 
-/// Occupancy in square blocks of cells, merged into rectangles of equal runs in adjacent rows.
+/// Occupancy in square blocks of cells, merged into rectangles of equal runs in adjacent rows; only
+/// those that the frame shows.
 class BlockPicture {
  public:
-  BlockPicture(const Occupancy& cells, const SvgFrame& frame)
+  /// The lower left corner of the cells is at `corner` (pixels).
+  BlockPicture(const Occupancy& cells, const TPoint2D& corner, const SvgFrame& frame)
       : cells_(cells),
         block_(std::max(1, static_cast<int>(1 / (cells.resolution() * frame.scale())))),
         pixels_(cells.resolution() * frame.scale() * block_),
-        height_(frame.height()) {}
+        corner_(corner) {
+    const auto between = [this](double from, double to, int size) {
+      const double blocks = std::ceil(static_cast<double>(size) / block_);
+      return Run{static_cast<int>(std::clamp(std::floor(from / pixels_), 0.0, blocks)),
+                 static_cast<int>(std::clamp(std::ceil(to / pixels_), 0.0, blocks))};
+    };
+    columns_ = between(-corner.x, frame.width() - corner.x, cells.size_x());
+    rows_ = between(corner.y - frame.height(), corner.y, cells.size_y());
+  }
 
   /// In integer block coordinates, y upwards, scaled to pixels: compact and exact.
   std::string svg() {
-    return fmt::format("<path transform=\"matrix({0} 0 0 -{0} 0 {1})\" d=\"{2}\"/>", pixels_,
-                       height_, path());
+    return fmt::format("<path transform=\"matrix({0} 0 0 -{0} {1} {2})\" d=\"{3}\"/>", pixels_,
+                       corner_.x, corner_.y, path());
   }
 
  private:
   std::string path() {
-    const int rows = (cells_.size_y() + block_ - 1) / block_;
     std::map<Run, int> open;  // runs that extend to this row, with their first row
-    for (int row = 0; row <= rows; ++row) {
-      const std::vector<Run> runs = row < rows ? runs_of(row) : std::vector<Run>();
+    for (int row = rows_.first; row <= rows_.last; ++row) {
+      const std::vector<Run> runs = row < rows_.last ? runs_of(row) : std::vector<Run>();
       std::map<Run, int> next;
       for (const Run& run : runs) {
         const auto found = open.find(run);
@@ -80,9 +92,8 @@ class BlockPicture {
   }
 
   std::vector<Run> runs_of(int row) const {
-    const int columns = (cells_.size_x() + block_ - 1) / block_;
     std::vector<Run> runs;
-    for (int bx = 0; bx < columns; ++bx) {
+    for (int bx = columns_.first; bx < columns_.last; ++bx) {
       if (!block_occupied(bx, row)) continue;
       if (!runs.empty() && runs.back().last == bx) {
         ++runs.back().last;
@@ -100,7 +111,9 @@ class BlockPicture {
 
   const Occupancy& cells_;
   int block_;
-  double pixels_, height_;
+  double pixels_;
+  TPoint2D corner_;
+  Run columns_{}, rows_{};  ///< blocks that are shown
   std::string path_;
 };
 
@@ -125,7 +138,10 @@ std::string obstacles_svg(const Scenario& scenario, const SvgFrame& frame) {
       shapes = primitives_svg(scenario.primitives(), frame);
       break;
     case Representation::Grid:
-      shapes = BlockPicture(make_occupancy(scenario, 1), frame).svg();
+      shapes =
+          BlockPicture(make_occupancy(scenario, 1),
+                       frame.to_pixels({scenario.bounds().x_min, scenario.bounds().y_min}), frame)
+              .svg();
       break;
     case Representation::Points:
       shapes = points_svg(scenario, frame);

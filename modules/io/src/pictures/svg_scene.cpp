@@ -46,7 +46,9 @@ const char* failure_mark(Outcome outcome) {
 class Picture {
  public:
   Picture(const Scenario& scenario, const SceneOptions& options)
-      : scenario_(scenario), options_(options), frame_(scenario.bounds(), options.max_pixels) {}
+      : scenario_(scenario),
+        options_(options),
+        frame_(options.view.value_or(scenario.bounds()), options.max_pixels) {}
 
   std::string render() {
     const double width = frame_.width(), height = frame_.height();
@@ -62,10 +64,13 @@ class Picture {
       draw(options_.trajectories[i], i);
     draw_start();
     draw_goal();
+    const Bounds& all = scenario_.bounds();
+    const TPoint2D from = frame_.to_pixels({all.x_min, all.y_max});
+    const TPoint2D to = frame_.to_pixels({all.x_max, all.y_min});
     svg_ += fmt::format(
-        "<rect class=\"border\" width=\"{:.0f}\" height=\"{:.0f}\" fill=\"none\" stroke=\"#444\" "
-        "stroke-width=\"1.5\"/></svg>",
-        width, height);
+        "<rect class=\"border\" x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" "
+        "fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\"/></svg>",
+        from.x, from.y, to.x - from.x, to.y - from.y);
     return svg_;
   }
 
@@ -171,6 +176,20 @@ class Picture {
 };
 
 }  // namespace
+
+Bounds view_around(const Scenario& scenario, const std::vector<SceneTrajectory>& trajectories,
+                   double margin) {
+  const TPoint2D start(scenario.start()), goal = scenario.goal();
+  Bounds view = {std::min(start.x, goal.x), std::min(start.y, goal.y), std::max(start.x, goal.x),
+                 std::max(start.y, goal.y)};
+  for (const SceneTrajectory& trajectory : trajectories)
+    for (const TPoint2D& p : trajectory.path)
+      view = {std::min(view.x_min, p.x), std::min(view.y_min, p.y), std::max(view.x_max, p.x),
+              std::max(view.y_max, p.y)};
+  const Bounds& all = scenario.bounds();
+  return {std::max(all.x_min, view.x_min - margin), std::max(all.y_min, view.y_min - margin),
+          std::min(all.x_max, view.x_max + margin), std::min(all.y_max, view.y_max + margin)};
+}
 
 std::string method_color(std::size_t index) {
   static const std::array<const char*, 8> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",

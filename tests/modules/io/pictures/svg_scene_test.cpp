@@ -124,5 +124,45 @@ TEST(SvgScene, PicturesOfLargeMapsAreSmall) {
   EXPECT_LT(render_svg(scenario, {}).size(), 600'000U);
 }
 
+TEST(SvgScene, AViewShowsItsPartOfTheWorkspace) {
+  Primitives obstacles;
+  obstacles.discs.push_back({{20, 10}, 0.5});
+  const Scenario scenario =
+      Scenario::continuous("s", {0, 0, 100, 100}, obstacles, {18, 9, 0}, {24, 9});
+  SceneOptions options;
+  options.max_pixels = 400;
+  options.trajectories = {{"run", {{18, 9}, {19, 12}, {24, 9}}, Outcome::Success, ""}};
+  const Bounds view = view_around(scenario, options.trajectories, 2);
+  EXPECT_EQ(view, (Bounds{16, 7, 26, 14}));
+  options.view = view;
+  const std::string svg = render_svg(scenario, options);
+  // 40 pixels per meter: 400 x 280; the disc is 4 m right of and 4 m below the upper left corner.
+  EXPECT_NE(svg.find("viewBox=\"0 0 400 280\""), std::string::npos);
+  EXPECT_NE(svg.find("<circle cx=\"160.0\" cy=\"160.0\" r=\"20.0\"/>"), std::string::npos);
+  EXPECT_NE(svg.find("class=\"border\" x=\"-640\" y=\"-3440\" width=\"4000\" height=\"4000\""),
+            std::string::npos);
+  EXPECT_EQ(view_around(scenario, {{"", {{-5, 200}}, Outcome::LeftWorkspace, ""}}, 2),
+            (Bounds{0, 7, 26, 100}))
+      << "not beyond the workspace";
+}
+
+TEST(SvgScene, AViewOfAMapHasTheCellsThatItShows) {
+  // A column of occupied cells at x = 1 m and one at 3 m, of 0.125 m.
+  mrpt::maps::COccupancyGridMap2D map(0, 4, 0, 2, 0.125F);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x) map.setCell(x, y, x == 8 || x == 24 ? 0.F : 1.F);
+  const Scenario scenario = Scenario::grid("map", map, {2, 1, 0}, {2.5, 1});
+  SceneOptions options;
+  options.max_pixels = 400;
+  EXPECT_NE(render_svg(scenario, options).find("d=\"M8 0h1v16h-1zM24 0h1v16h-1z\""),
+            std::string::npos);
+  // The upper right quarter: 2 m are 400 pixels, a cell has 25. The corner of the cells is 2 m left
+  // of the picture and 1 m below it.
+  options.view = Bounds{2, 1, 4, 2};
+  EXPECT_NE(render_svg(scenario, options).find("matrix(25 0 0 -25 -400 400)\" d=\"M24 8h1v8h-1z\""),
+            std::string::npos)
+      << render_svg(scenario, options);
+}
+
 }  // namespace
 }  // namespace slalom

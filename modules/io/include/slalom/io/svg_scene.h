@@ -38,7 +38,12 @@ struct SceneOptions {
   /// infinity: only their paths.
   std::optional<double> time = {};
   std::vector<SceneTrajectory> trajectories;
+  std::optional<Bounds> view = {};  ///< the part that is drawn; none: the workspace
 };
+
+/// The part of the workspace with start, goal and the trajectories, and `margin` (m) around them.
+Bounds view_around(const Scenario& scenario, const std::vector<SceneTrajectory>& trajectories,
+                   double margin);
 
 /// A scenario to scale as one self-contained `svg` element. Grids become merged rectangles (runs of
 /// cells). Movers and people are drawn with their paths, where they are at the time of the picture.
