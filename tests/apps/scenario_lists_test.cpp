@@ -66,6 +66,11 @@ TEST_F(ScenarioLists, NoOutputReplacesAnInputOrAFileOfAnotherKind) {
   write("copy.ini", "[scenarios]\nlist = ./a.scenarios\n");
   expect_failure("slalom-scenarios generate -c copy.ini -o a.scenarios", 2,
                  {"-o a.scenarios", "is also an input", "copy.ini:2", "list = ./a.scenarios"});
+  const std::string split = "slalom-scenarios split a.scenarios --fraction 0.5 ";
+  expect_failure(split + "--development ./a.scenarios --held-out h.scenarios", 2,
+                 {"--development ./a.scenarios", "is also an input", "different"});
+  expect_failure(split + "--development d.scenarios --held-out link.scenarios", 2,
+                 {"--held-out link.scenarios", "is also an input", "different"});
   expect_failure(convert + "generate.ini", 3, {"generate.ini", "different kind", "not replaced"});
   EXPECT_EQ(read("generate.ini"), ini);
   EXPECT_EQ(read("a.scenarios"), list);

@@ -125,22 +125,27 @@ const CLI::App& selected(const CLI::App& app) {
   return *verb;
 }
 
-/// Throws Error (Usage) if both are the same file; `name` is that of the input in the message.
+/// Throws Error (Usage) if both are the same file; `option` gives the output, `name` is that of the
+/// input in the message.
 void refuse_output_over_input(const std::string& output, const std::string& input,
-                              const std::string& name) {
+                              const std::string& name, const std::string& option = "-o") {
   std::error_code not_both_exist;
   if (std::filesystem::equivalent(input, output, not_both_exist))
-    throw usage_error("-o " + output, "is also an input, " + name, "a different file");
+    throw usage_error(option + " " + output, "is also an input, " + name, "a different file");
 }
 
-/// Throws Error (Usage) if the file of -o is also an argument: it would be replaced.
+/// Throws Error (Usage) if a file that is written is also another argument: it would be replaced.
 void refuse_output_over_arguments(const CLI::App& verb) {
-  const CLI::Option* output = verb.get_option_no_throw("--output");
-  if (output == nullptr || output->empty()) return;
-  for (const CLI::Option* option : verb.get_options()) {
-    if (option == output) continue;
-    for (const std::string& value : option->results())
-      refuse_output_over_input(output->as<std::string>(), value, value);
+  for (const char* name : {"--output", "--bundle", "--development", "--held-out", "--picture"}) {
+    const CLI::Option* output = verb.get_option_no_throw(name);
+    if (output == nullptr || output->empty()) continue;
+    const std::string path = output->as<std::string>();
+    const bool is_output = std::string(name) == "--output";
+    for (const CLI::Option* option : verb.get_options()) {
+      if (option == output) continue;
+      for (const std::string& value : option->results())
+        refuse_output_over_input(path, value, value, is_output ? "-o" : name);
+    }
   }
 }
 
