@@ -51,12 +51,10 @@ void replay(const OpenLoopArguments& arguments) {
   if (!arguments.picture.empty()) {
     LogMapOptions map;
     map.robot_radius = options.robot.radius;
-    map.topics = arguments.selection;
-    map.of_scans = true;
-    write_file_atomically(
-        arguments.picture,
-        open_loop_picture(load_log_map(arguments.log, map), scans, answers, options.robot.radius) +
-            "\n");
+    write_file_atomically(arguments.picture,
+                          open_loop_picture(map_of_scans(log, arguments.log, map), scans, answers,
+                                            options.robot.radius) +
+                              "\n");
   }
   sum.log = arguments.log;
   sum.method = arguments.method;

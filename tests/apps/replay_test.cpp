@@ -181,8 +181,20 @@ TEST_F(Replay, OpenLoopReadsLogsOfRealRobots) {
         " --method nd -c small.ini --picture drive.svg --set robot.radius=1.5");
     EXPECT_EQ(count(read("drive.svg"), ": collision</title>"), 2U * static_cast<unsigned>(contacts))
         << "line and cross of each contact, not only of one per 0.25 m";
-    EXPECT_EQ(count(read("drive.svg"), "<title>driven"), 1U);
+    EXPECT_EQ(count(read("drive.svg"), "<title>driven</title>"), 1U) << "no outcome: it is no run";
+    EXPECT_EQ(count(read("drive.svg"), ": success</title>"), 0U);
   }
+}
+
+TEST_F(Replay, APictureDoesNotReplaceTheLog) {
+  const std::string log = kDatasets + "localization_demo.rawlog";
+  ASSERT_EQ(run("cp " + log + " plain.rawlog.gz && gzip -d plain.rawlog.gz").status, 0);
+  const std::string before = read("plain.rawlog");
+  expect_failure(
+      "slalom-replay openloop plain.rawlog --method nd -c small.ini --picture "
+      "./plain.rawlog",
+      2, {"--picture ./plain.rawlog", "is also an input", "different"});
+  EXPECT_EQ(read("plain.rawlog"), before);
 }
 
 TEST_F(Replay, IdentifyPrintsKeysOfTheCampaign) {

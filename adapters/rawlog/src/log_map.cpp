@@ -166,39 +166,8 @@ std::vector<LoggedScan> scans_along(std::vector<LoggedScan> scans) {
   return chosen;
 }
 
-LogMap map_of_scans(const std::string& path, const LogMapOptions& options) {
-  const LogObjects log = load_log(path, options.topics);
-  const std::vector<LoggedScan> all = scans_with_poses(log);
-  const std::vector<LoggedScan> scans = scans_along(all);
-  if (scans.size() < 2)
-    throw file_error(path, scans.empty() ? "has no odometry" : "the robot does not move",
-                     "scans and odometry of a drive");
-  std::vector<TPose2D> poses;
-  for (const LoggedScan& scan : all)
-    if (scan.odometry) poses.push_back(*scan.odometry);
-  LogMap map;
-  Extent extent;
-  for (const TPose2D& pose : poses) extent.add(TPoint2D(pose));
-  for (const LoggedScan& scan : scans)
-    for (const TPoint2D& point : scan_points(*scan.scan))
-      extent.add(scan.odometry->composePoint(point));
-  map.grid = extent.grid(options.resolution, 2 * options.robot_radius, path);
-  auto& insertion = map.grid.insertionOptions;
-  insertion.considerInvalidRangesAsFreeSpace = false;
-  insertion.maxDistanceInsertion = HUGE_VALF;
-  for (const LoggedScan& scan : scans) {
-    const mrpt::poses::CPose3D at{mrpt::poses::CPose2D(*scan.odometry)};
-    map.grid.insertObservation(*scan.scan, at);
-  }
-  clear_path(map.grid, poses, options.robot_radius);
-  constexpr int kMargin = 4;  // cells
-  map.grid = cropped(map.grid, kMargin);
-  map.start = poses.front();
-  map.goal = TPoint2D(poses.back());
-  map.notes = log.notes;
-  map.notes.push_back("grid of " + count_text(scans.size(), "scan") +
-                      " along the odometry, whose drift it has");
-  return map;
+LogMap load_map_of_scans(const std::string& path, const LogMapOptions& options) {
+  return map_of_scans(load_log(path, options.topics), path, options);
 }
 
 /// The map of a bag and its frames.
@@ -245,14 +214,14 @@ COccupancyGridMap2D to_grid(const RosGrid& from, const std::string& where) {
 
 LogMap map_of_bag(const std::string& path, const LogMapOptions& options) {
   const BagMap from = map_in_bag(path);
-  if (from.topic.empty()) return map_of_scans(path, options);
+  if (from.topic.empty()) return load_map_of_scans(path, options);
   const std::string topic = printable_line(from.topic);
   const std::string frame = from.grid.header.frame.empty() ? "map" : from.grid.header.frame;
   const std::string usual = from.frames.has("base_link") ? "base_link" : "base_footprint";
   const std::string base = options.topics.base.empty() ? usual : options.topics.base;
   std::vector<std::string> moving;
   if (!from.frames.pose_in(frame, base, moving)) {
-    LogMap map = map_of_scans(path, options);
+    LogMap map = load_map_of_scans(path, options);
     map.notes.push_back("'" + topic + "' is not used: no transforms from '" +
                         printable_line(frame) + "' to '" + base + "'");
     return map;
@@ -271,13 +240,46 @@ LogMap map_of_bag(const std::string& path, const LogMapOptions& options) {
 
 }  // namespace
 
+LogMap map_of_scans(const LogObjects& log, const std::string& path, const LogMapOptions& options) {
+  const std::vector<LoggedScan> all = scans_with_poses(log);
+  const std::vector<LoggedScan> scans = scans_along(all);
+  if (scans.size() < 2)
+    throw file_error(path, scans.empty() ? "has no odometry" : "the robot does not move",
+                     "scans and odometry of a drive");
+  std::vector<TPose2D> poses;
+  for (const LoggedScan& scan : all)
+    if (scan.odometry) poses.push_back(*scan.odometry);
+  LogMap map;
+  Extent extent;
+  for (const TPose2D& pose : poses) extent.add(TPoint2D(pose));
+  for (const LoggedScan& scan : scans)
+    for (const TPoint2D& point : scan_points(*scan.scan))
+      extent.add(scan.odometry->composePoint(point));
+  map.grid = extent.grid(options.resolution, 2 * options.robot_radius, path);
+  auto& insertion = map.grid.insertionOptions;
+  insertion.considerInvalidRangesAsFreeSpace = false;
+  insertion.maxDistanceInsertion = HUGE_VALF;
+  for (const LoggedScan& scan : scans) {
+    const mrpt::poses::CPose3D at{mrpt::poses::CPose2D(*scan.odometry)};
+    map.grid.insertObservation(*scan.scan, at);
+  }
+  clear_path(map.grid, poses, options.robot_radius);
+  constexpr int kMargin = 4;  // cells
+  map.grid = cropped(map.grid, kMargin);
+  map.start = poses.front();
+  map.goal = TPoint2D(poses.back());
+  map.notes = log.notes;
+  map.notes.push_back("grid of " + count_text(scans.size(), "scan") +
+                      " along the odometry, whose drift it has");
+  return map;
+}
+
 bool is_log(const std::string& path) {
   return ends_with(path, ".rawlog") || ends_with(path, ".rawlog.gz") || is_bag(path);
 }
 
 LogMap load_log_map(const std::string& path, const LogMapOptions& options) {
-  LogMap map =
-      is_bag(path) && !options.of_scans ? map_of_bag(path, options) : map_of_scans(path, options);
+  LogMap map = is_bag(path) ? map_of_bag(path, options) : load_map_of_scans(path, options);
   if (options.unknown_is_free) set_unknown_free(map.grid);
   return map;
 }

@@ -36,6 +36,7 @@ SceneTrajectory drawn(const TPose2D& pose, const OpenLoopAnswer& answer) {
   arc.color = contact.in_contact || contact.stopping ? "#b8231a"
               : contact.one_second                   ? "#c98a00"
                                                      : "#11703f";
+  arc.outcome.reset();
   if (contact.in_contact || contact.stopping) arc.outcome = Outcome::Collision;
   return arc;
 }
@@ -50,6 +51,7 @@ std::string open_loop_picture(const LogMap& map, const std::vector<LoggedScan>& 
   options.robot_radius = robot_radius;
   SceneTrajectory driven;
   driven.label = "driven";
+  driven.outcome.reset();
   driven.color = "#5b6472";
   std::vector<SceneTrajectory> arcs;
   std::optional<TPoint2D> last;

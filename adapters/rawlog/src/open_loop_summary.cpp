@@ -80,7 +80,7 @@ std::string render_text(const OpenLoopSummary& sum) {
          count("commands", sum.commands) +
          line("  mean linear velocity", format_fixed(sum.mean_v, 3) + " m/s") +
          line("  distance from the log's velocity",
-              sum.compared == 0 ? "NA: the log has no velocities"
+              sum.compared == 0 ? "NA: no command before a scan with a velocity"
                                 : format_fixed(sum.difference_v, 3) + " m/s, " +
                                       format_fixed(sum.difference_w, 3) + " rad/s on average") +
          count("  robot already in contact", sum.in_contact) +

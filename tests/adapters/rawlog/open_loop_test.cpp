@@ -281,7 +281,7 @@ TEST(OpenLoopSummary, TextAndJsonAgree) {
             "  rays not covered by the log         2.0 on average\n"
             "commands                              2\n"
             "  mean linear velocity                0.350 m/s\n"
-            "  distance from the log's velocity    NA: the log has no velocities\n"
+            "  distance from the log's velocity    NA: no command before a scan with a velocity\n"
             "  robot already in contact            0\n"
             "  contact, braking after one period   1\n"
             "  contact, held for one second        1\n"

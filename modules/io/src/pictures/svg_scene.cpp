@@ -104,18 +104,19 @@ class Picture {
 
   void draw(const SceneTrajectory& trajectory, std::size_t index) {
     const std::string color = trajectory.color.empty() ? method_color(index) : trajectory.color;
-    const std::string title = trajectory.label + ": " + to_string(trajectory.outcome);
+    const auto& outcome = trajectory.outcome;
+    const std::string title = trajectory.label + (outcome ? ": " + to_string(*outcome) : "");
     svg_ += line(trajectory.path, "trajectory", color, "stroke-width=\"2\"", title);
     if (trajectory.path.empty()) return;
     const TPoint2D end = frame_.to_pixels(trajectory.path.back());
-    if (trajectory.outcome == Outcome::Success) {
+    if (!outcome || *outcome == Outcome::Success) {
       svg_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>", end.x,
                           end.y, html_escape(color));
     } else {
       svg_ += fmt::format(
           "<path d=\"M{:.1f} {:.1f}{}\" stroke=\"{}\" stroke-width=\"2.5\" "
           "fill=\"none\"><title>{}</title></path>",
-          end.x, end.y, failure_mark(trajectory.outcome), html_escape(color), html_escape(title));
+          end.x, end.y, failure_mark(*outcome), html_escape(color), html_escape(title));
     }
   }
 

@@ -18,7 +18,6 @@ struct LogMapOptions {
   double robot_radius = 0.25;    ///< m; what the robot covered is free
   bool unknown_is_free = false;  ///< else unknown cells stay unknown: obstacles
   BagSelection topics = {};      ///< of a bag
-  bool of_scans = false;         ///< also of a bag that has a map
 };
 
 /// The surroundings of a drive, and where it began and ended.
@@ -39,5 +38,9 @@ bool is_log(const std::string& path);
 /// Throws Error (File) as load_log(), for a log without scans, odometry or motion, and if the grid
 /// had more than 400 million cells.
 LogMap load_log_map(const std::string& path, const LogMapOptions& options);
+
+/// The grid of the scans along the odometry, of a log that was read from `path`, also of a bag that
+/// has a map. Throws Error (File) as load_log_map(), naming `path`.
+LogMap map_of_scans(const LogObjects& log, const std::string& path, const LogMapOptions& options);
 
 }  // namespace slalom

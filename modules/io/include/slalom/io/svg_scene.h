@@ -22,7 +22,7 @@ std::string html_escape(const std::string& text);
 struct SceneTrajectory {
   std::string label;
   Path path;
-  Outcome outcome = Outcome::Success;
+  std::optional<Outcome> outcome = Outcome::Success;  ///< none: not a run
   std::string color;  ///< CSS color; empty: by its index in the list
 };
 
