@@ -28,6 +28,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace slalom {
 namespace {
@@ -118,8 +119,8 @@ void report_verb(const Arguments& arguments) {
   }
   const std::filesystem::path output = arguments.output;
   const bool is_packed = arguments.single_file || output.extension() == ".html";
-  const ScratchFolder scratch;
-  const std::string folder = is_packed ? scratch.path() : output.string();
+  std::optional<ScratchFolder> scratch;
+  const std::string folder = is_packed ? scratch.emplace().path() : output.string();
   if (paths.size() == 1)
     report_one(paths[0], results[0], folder, arguments);
   else

@@ -28,9 +28,9 @@ function seriesPath(series, toX, toY, end) {
   return path.join("") + (series.steps ? "H" + end.toFixed(1) : "");
 }
 
-// Axes have label, low and high, x may be logarithmic or have its ticks, y has its ticks and their digits. Each of `series` has label,
-// color and points [x, y] by increasing x; with `steps`, each value holds until the next point, the last one until the
-// right border. The chart's property toX maps values to its coordinates.
+// Axes have label, low and high, x may be logarithmic or have its ticks, y has its ticks and their digits. Each of
+// `series` has label, color and points [x, y] by increasing x; with `steps`, each value holds until the next point, the
+// last one until the right border. The chart's property toX maps values to its coordinates.
 function chart(x, y, series, height = 300) {
   const right = CHART.width - CHART.right, bottom = height - CHART.bottom;
   const along = (value) => (x.logarithmic ? Math.log(value) : value), span = along(x.high) - along(x.low);
@@ -42,7 +42,7 @@ function chart(x, y, series, height = 300) {
     y.ticks.map((tick) => [line("rule", CHART.left, toY(tick), right, toY(tick)),
                            label(CHART.left - 6, toY(tick) + 4, "end", tick.toFixed(y.digits))]),
     (x.ticks || ticksOf(x)).map((tick) => [line("axis", toX(tick), bottom, toX(tick), bottom + 4),
-                              label(toX(tick), bottom + 17, "middle", String(Number(tick.toPrecision(4))))]),
+                                           label(toX(tick), bottom + 17, "middle", String(Number(tick.toPrecision(4))))]),
     label((CHART.left + right) / 2, height - 8, "middle", x.label), line("axis", CHART.left, bottom, right, bottom),
     series.filter((one) => one.points.length > 0).map((one) =>
       svg("path", { d: seriesPath(one, toX, toY, right), fill: "none", stroke: one.color, "stroke-width": 2 },

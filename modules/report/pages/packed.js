@@ -20,6 +20,7 @@ function loadPacked(source, failed) {
 }
 
 addEventListener("message", ({ data }) => {
+  if (!data) return;  // of another program
   const waiting = packed.waiting.get(data.answer) || [];
   packed.waiting.delete(data.answer);
   for (const then of waiting) then(data.text);

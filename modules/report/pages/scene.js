@@ -148,7 +148,7 @@ function sceneLegend(scenario, run, rival) {
     shown("others") && scenario.runs.length > 1 ? lineOf({ ...LOOKS.others, stroke: "currentColor" }, "other runs here, in the colors of their list") : "",
     scenario.shortest ? lineOf(LOOKS.shortest, LOOKS.shortest.title) : "", scenario.safest ? lineOf(LOOKS.safest, LOOKS.safest.title) : "",
     shown("scan") ? area(LOOKS.scan, "scan") : "", (scenario.movers || []).length > 0 ? disc(MOVER, "moving obstacle, its path") : "",
-    run.people.length > 0 ? disc(PERSON, "person, its path in this run") : "",
+    run.people.length > 0 ? disc(PERSON, "person, its path in " + (rival ? runKey(run) : "this run")) : "",
     item("goal", svg("path", { ...LOOKS.goal, d: "M12 6a5 5 0 1 0 10 0a5 5 0 1 0 -10 0M12 6H22M17 1V11" })),
     area({ class: "obstacles" }, "obstacle"), area(LOOKS.border, "border of the workspace")].filter(Boolean);
 }

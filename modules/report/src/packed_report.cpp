@@ -28,8 +28,12 @@ std::string packed_report(const std::string& directory) {
           read_file(entry.path().string());
   // A script of any type ends at "</script", wherever that stands.
   std::string json;
-  for (const char c : json_text(files))
-    json += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (const char c : json_text(files)) {
+    if (c == '<')
+      json += "\\u003c";
+    else
+      json += c;
+  }
   const std::string page = report_pages().at("packed.html"), key = "{{files}}";
   const std::size_t at = page.find(key);
   return page.substr(0, at) + json + page.substr(at + key.size());

@@ -317,7 +317,7 @@ TEST_F(ReportPages, OneFileHasAllPagesAndTheirData) {
   std::filesystem::create_directory(report_folder());
   // The pages are in a frame: what they contain is told to the document around, which is seen. The
   // budget of virtual time ends before messages arrive, unless its timers have work until then.
-  packed.insert(packed.find("show(location.hash"), R"js(
+  packed.insert(packed.find("const showAddress"), R"js(
 files["packed.js"] += `
 addEventListener("load", () => setInterval(() => document.querySelector(wanted[packedPage]) &&
   top.postMessage({ body: document.body.innerHTML }, "*"), 20));
@@ -336,6 +336,17 @@ setInterval(() => { for (let i = 0; i < 3e6 && !document.querySelector("main"); 
   EXPECT_EQ(count(run, "<title>" + hash + "/good/0 - Slalom</title>"), 1u);
   EXPECT_EQ(count(run, "class=\"workspace\""), 1u) << "drawn from the data of the scenario";
   EXPECT_EQ(count(open("all.html#runs.html#filter=good"), "<td>good</td>"), 3u);
+  // A link leads to the list of runs, another address of the open page to the third page.
+  packed.insert(packed.find("const showAddress"), R"js(
+files["packed.js"] += `
+addEventListener("load", () => packedPage === "index.html" && document.querySelector("a[href='runs.html']").click());
+Object.assign(wanted, { "index.html": "none", "runs.html": "none", "explore.html": ".chart-card" });`;
+addEventListener("message", ({ data }) => {
+  if (data.shown === "runs.html") location.hash = "#explore.html#metric=optimality&by=density";
+});
+)js");
+  std::ofstream(report_folder() / "moved.html") << packed;
+  EXPECT_EQ(count(open("moved.html"), "<h4>Optimality by Density</h4>"), 1u);
 }
 
 TEST_F(ReportPages, ABoxAroundRunsShowsTheirScenarios) {

@@ -69,10 +69,10 @@ class Actions {
   void add(Action action);
   const std::vector<Action>& all() const { return actions_; }
   std::vector<std::string> menus() const;  ///< in order, without duplicates
-  /// Those that are not hidden.
+  /// Leaves out hidden ones.
   std::vector<const Action*> of_menu(const std::string& menu) const;
-  /// Returns those that are not hidden whose menu and label contain each of the words, in any order
-  /// and case.
+  /// Actions whose menu and label contain each of the words, in any order and case. Leaves out
+  /// hidden ones.
   std::vector<const Action*> matching(const std::string& words) const;
   /// Throws Error (Usage) naming the nearest id.
   const Action& find(const std::string& id) const;
