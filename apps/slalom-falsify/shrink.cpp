@@ -12,6 +12,7 @@
 #include <slalom/core/text.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/scenario_yaml.h>
+#include <slalom/results/recorded_ini.h>
 
 #include <filesystem>
 #include <iostream>
@@ -37,7 +38,7 @@ struct ShrinkInput {
 
 IniFile ini_of(const ResultFile& file, const FalsifyArguments& arguments) {
   if (!arguments.campaign.config.empty()) return load_campaign_ini(arguments.campaign);
-  IniFile ini = IniFile::from_text(file.read_manifest()["campaign.ini"], file.path());
+  IniFile ini = recorded_ini(file.read_manifest(), file.path());
   for (const std::string& assignment : arguments.campaign.overrides) ini.override_key(assignment);
   return ini;
 }

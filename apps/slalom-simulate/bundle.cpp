@@ -8,6 +8,7 @@
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/methods/registry.h>
+#include <slalom/results/recorded_ini.h>
 
 #include <filesystem>
 #include <iostream>
@@ -24,8 +25,7 @@ struct BundleArguments {
 void bundle(const BundleArguments& arguments) {
   const IniFile ini =
       arguments.campaign.config.empty()
-          ? IniFile::from_text(ResultFile::open(arguments.results).read_manifest()["campaign.ini"],
-                               arguments.results)
+          ? recorded_ini(ResultFile::open(arguments.results).read_manifest(), arguments.results)
           : load_campaign_ini(arguments.campaign);
   CampaignConfig config = read_campaign(ini);
   if (arguments.with_sources) {  // what methods need is known when they are built

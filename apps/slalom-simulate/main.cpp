@@ -11,6 +11,7 @@
 #include <slalom/io/file_lock.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
+#include <slalom/results/recorded_ini.h>
 
 #include <iostream>
 
@@ -25,14 +26,13 @@ struct RunArguments {
 };
 
 /// The campaign's .ini: a file of its own, or that in a result file.
-IniFile campaign_ini(const RunArguments& arguments) {
+IniFile read_ini(const RunArguments& arguments) {
   const std::string& path = arguments.campaign.config;
   if (!ends_with(path, ".results")) return load_campaign_ini(arguments.campaign);
-  const Manifest manifest = ResultFile::open(path).read_manifest();
-  const auto text = manifest.find("campaign.ini");
-  if (text == manifest.end())
+  const IniFile recorded = recorded_ini(ResultFile::open(path).read_manifest(), path);
+  if (recorded.sections().empty())
     throw file_error(path, "contains no campaign", "results of Slalom, or the .ini of a campaign");
-  IniFile ini = with_overrides(IniFile::from_text(text->second, path), arguments.campaign);
+  IniFile ini = with_overrides(recorded, arguments.campaign);
   if (!arguments.trust)
     require_no_foreign_code(ini, {}, path, "an .ini of your own, or --trust if you trust the file");
   return ini;
@@ -40,7 +40,7 @@ IniFile campaign_ini(const RunArguments& arguments) {
 
 /// Runs the methods of a campaign over a scenario list into a result file.
 void run(const RunArguments& arguments) {
-  IniFile ini = campaign_ini(arguments);
+  IniFile ini = read_ini(arguments);
   if (!arguments.scenarios.empty()) {
     for (const std::string& key : ini.keys("scenarios")) ini.remove("scenarios", key);
     ini.set("scenarios", "list", arguments.scenarios);

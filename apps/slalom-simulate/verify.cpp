@@ -8,6 +8,7 @@
 #include <slalom/app/verify_results.h>
 #include <slalom/core/scratch_folder.h>
 #include <slalom/io/result_file.h>
+#include <slalom/results/recorded_ini.h>
 
 #include <iostream>
 
@@ -27,8 +28,8 @@ void use_bundled_methods(VerifyArguments& arguments, const ScratchFolder& folder
   if (!arguments.campaign.config.empty() || read_bundled_files(bundle).empty()) return;
   if (!arguments.sample.trust)
     require_no_foreign_code(
-        IniFile::from_text(ResultFile::open(bundle).read_manifest()["campaign.ini"], bundle), {},
-        bundle, "--trust if you trust it; slalom-simulate unpack shows what it contains");
+        recorded_ini(ResultFile::open(bundle).read_manifest(), bundle), {}, bundle,
+        "--trust if you trust it; slalom-simulate unpack shows what it contains");
   arguments.campaign.config = unpack_methods(bundle, folder.path());
 }
 

@@ -9,6 +9,7 @@
 #include <slalom/gui/panel_window.h>
 #include <slalom/gui/studio_window.h>
 #include <slalom/io/result_file.h>
+#include <slalom/results/recorded_ini.h>
 #include <slalom/ros_parameters/resolve.h>
 #include <slalom/simulation/simulate.h>
 
@@ -38,17 +39,12 @@ std::string settings_file(const StudioArguments& arguments) {
   return default_settings_file();
 }
 
-/// The .ini of the campaign in a result file; an empty one where it has none.
-IniFile campaign_ini(const std::string& results) {
-  const Manifest manifest = ResultFile::open(results).read_manifest();
-  const auto text = manifest.find("campaign.ini");
-  return IniFile::from_text(text == manifest.end() ? "" : text->second, results + ": campaign.ini");
-}
-
 /// Robot and sensor: of the configuration, else of the results.
 IniFile base_ini(const StudioArguments& arguments) {
   if (!arguments.config.empty()) return IniFile::load(arguments.config);
-  if (!arguments.results.empty()) return campaign_ini(arguments.results);
+  if (!arguments.results.empty())
+    return recorded_ini(ResultFile::open(arguments.results).read_manifest(),
+                        arguments.results + ": campaign.ini");
   return IniFile::from_text("", "--set");
 }
 

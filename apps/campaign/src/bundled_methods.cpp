@@ -8,7 +8,9 @@
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
+#include <slalom/library/library_method.h>
 #include <slalom/methods/registry.h>
+#include <slalom/results/recorded_ini.h>
 
 #include <fmt/format.h>
 
@@ -80,8 +82,7 @@ std::string write_campaign_bundle(const std::string& results, const std::string&
 }
 
 std::string unpack_methods(const std::string& bundle, const std::string& folder) {
-  IniFile ini =
-      IniFile::from_text(ResultFile::open(bundle).read_manifest()["campaign.ini"], bundle);
+  IniFile ini = recorded_ini(ResultFile::open(bundle).read_manifest(), bundle);
   for (const BundledFile& file : read_bundled_files(bundle)) {
     const BundledName name(file.key);
     const bool is_option = name.needed.empty();

@@ -19,6 +19,7 @@
 #include <slalom/methods/registry.h>
 #include <slalom/metrics/mover_metrics.h>
 #include <slalom/references/reference_codec.h>
+#include <slalom/results/recorded_ini.h>
 #include <slalom/results/repeatability.h>
 
 #include <algorithm>
@@ -199,8 +200,8 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
                             const VerifySample& sample, const EnvironmentHandler& on_environment) {
   const ResultFile file = ResultFile::open(path);
   Manifest manifest = file.read_manifest();
-  const IniFile ini = arguments.config.empty() ? IniFile::from_text(manifest["campaign.ini"], path)
-                                               : load_campaign_ini(arguments);
+  const IniFile ini =
+      arguments.config.empty() ? recorded_ini(manifest, path) : load_campaign_ini(arguments);
   CampaignConfig config = read_campaign(ini);
   add_measured(manifest, path, config.options);
   config.effective_ini = effective_ini(ini, config);

@@ -12,6 +12,7 @@
 #include <slalom/io/result_files.h>
 #include <slalom/report/report.h>
 #include <slalom/results/privileged.h>
+#include <slalom/results/recorded_ini.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -32,9 +33,8 @@ std::string pictures_file(std::size_t page) {
 
 /// The campaign .ini from the manifest; empty if it cannot be parsed.
 IniFile campaign_ini(const Manifest& manifest) {
-  const auto found = manifest.find("campaign.ini");
   try {
-    return IniFile::from_text(found == manifest.end() ? "" : found->second, "campaign.ini");
+    return recorded_ini(manifest, "campaign.ini");
   } catch (const Error&) {
     return IniFile::from_text("");
   }
@@ -205,7 +205,7 @@ void write_report(const std::string& results, ResultTable runs, const ReportOpti
                            runs_text.substr(1, runs_text.size() - 2) + "," + values.substr(1) +
                            "\n");
   for (const auto& [name, text] : report_pages())
-    if (name.rfind("packed.", 0) != 0 && (name != "cluster.html" || !options.clusters.empty()))
+    if (!starts_with(name, "packed.") && (name != "cluster.html" || !options.clusters.empty()))
       write(name, name == "index.html" ? index_page(text, input) : text);
 }
 

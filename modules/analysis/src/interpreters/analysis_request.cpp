@@ -4,15 +4,13 @@
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
+#include <slalom/results/recorded_ini.h>
 
 namespace slalom {
 namespace {
 
 AnalysisSection analysis_defaults(const Manifest& manifest) {
-  const auto text = manifest.find("campaign.ini");
-  if (text == manifest.end()) return {};
-  return read_options<AnalysisSection>(IniFile::from_text(text->second, "campaign.ini"),
-                                       "analysis");
+  return read_options<AnalysisSection>(recorded_ini(manifest, "campaign.ini"), "analysis");
 }
 
 std::vector<BinSpec> rows_of(const AnalysisRequest& request, const AnalysisSection& defaults,
