@@ -55,26 +55,6 @@ TEST_F(Coverage, TheListIsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(read("a.scenarios") == read("b.scenarios")) << "byte for byte";
 }
 
-TEST_F(Coverage, ASearchThatWasKilledContinuesToTheSameBytes) {
-  // Bins that are never full: the search takes a few seconds.
-  const std::string search =
-      "slalom-scenarios generate -c bins.ini --json --seed 4 --set coverage.per_bin=500 "
-      "--set coverage.budget_evaluations=1500 --set coverage.patience=5000 -o ";
-  const ProgramResult whole = run(search + "whole.scenarios -j 2");
-  ASSERT_EQ(whole.status, 0) << whole.err;
-  const ProgramResult killed =
-      run("sh -c '" + search +
-          "a.scenarios & until sqlite3 -readonly a.scenarios.partial \"SELECT text FROM notes\" "
-          "2>/dev/null | "
-          "grep -q evaluations.:; do sleep 0.02; kill -0 $! || exit 9; done; kill -9 $!; wait $!'");
-  ASSERT_EQ(killed.status, 128 + 9) << killed.err;
-  const ProgramResult continued = run(search + "a.scenarios -j 2");
-  ASSERT_EQ(continued.status, 0) << continued.err;
-  EXPECT_NE(continued.err.find("continues"), std::string::npos) << continued.err;
-  EXPECT_EQ(continued.out, whole.out);
-  EXPECT_TRUE(read("a.scenarios") == read("whole.scenarios")) << "byte for byte";
-}
-
 TEST_F(Coverage, TheTableShowsTheResultOfEachBin) {
   const ProgramResult result =
       run("slalom-scenarios generate -c bins.ini -o a.scenarios --set coverage.descriptors=density "

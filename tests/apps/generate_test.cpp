@@ -71,37 +71,6 @@ TEST_F(Generate, WarnsAboutAnApertureInRadians) {
   EXPECT_EQ(run(command + " --quiet").err, "");
 }
 
-TEST_F(Generate, AGenerationThatWasKilledContinuesToTheSameBytes) {
-  const std::string generate =
-      "slalom-scenarios generate -c mix.ini -n 600 --describe density,clearness -o ";
-  ASSERT_EQ(run(generate + "whole.scenarios -j 2 --quiet").status, 0);
-  std::size_t before = 0;
-  for (int kill = 0; kill < 2; ++kill) {
-    // Killed as soon as the partial list contains more than before.
-    const ProgramResult killed =
-        run("sh -c '" + generate +
-            "a.scenarios & until [ $(sqlite3 -readonly a.scenarios.partial \"SELECT "
-            "count(*) FROM scenarios\" 2>/dev/null || echo 0) -gt " +
-            std::to_string(before) +
-            " ]; do sleep 0.02; kill -0 $! || exit 9; done; kill -9 $!; wait $!'");
-    ASSERT_EQ(killed.status, 128 + 9) << killed.err;
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.scenarios")) << "never incomplete";
-    const std::string listed = run("slalom-scenarios list a.scenarios.partial").out;
-    before = static_cast<std::size_t>(std::count(listed.begin(), listed.end(), '\n'));
-    EXPECT_LT(before, 600U);
-  }
-  expect_failure(generate + "a.scenarios --seed 2", 3,
-                 {"another generation", "generation.seed is 2 here and 1", "--overwrite"});
-  const ProgramResult continued = run(generate + "a.scenarios -j 3");
-  ASSERT_EQ(continued.status, 0) << continued.err;
-  EXPECT_NE(continued.err.find("continues: " + std::to_string(before) + " scenarios are there"),
-            std::string::npos)
-      << continued.err;
-  EXPECT_TRUE(read("a.scenarios") == read("whole.scenarios")) << "byte for byte";
-  for (const char* left : {"a.scenarios.partial", "a.scenarios.lock"})
-    EXPECT_FALSE(std::filesystem::exists(folder_ / left)) << left;
-}
-
 TEST_F(Generate, ADescriptionThatWasKilledContinuesToTheSameBytes) {
   ASSERT_EQ(run("slalom-scenarios generate -c mix.ini -n 300 -o a.scenarios --quiet").status, 0);
   ASSERT_EQ(run("cp a.scenarios whole.scenarios").status, 0);
