@@ -126,8 +126,10 @@ report "continued with space on the disk" "$whole" "$(digest run.results)"
 rm -f run.results*
 start run.results
 until [ -e run.results.lock ] || ! kill -0 $pid; do sleep 0.02; done
+kill -STOP $pid
 $simulate -o run.results --quiet 2>second.log
 second=$?
+kill -CONT $pid
 wait $pid
 report "two programs on one output" "first 0, second 1, same values" \
   "first $?, second $second, $( [ "$(digest run.results)" = "$whole" ] && echo same values || echo other values)"
