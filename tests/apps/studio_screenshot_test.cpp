@@ -144,6 +144,17 @@ TEST_F(StudioScreenshot, AtTwiceTheScaleShowsTheMenuOfAScenario) {
                  "--scale 2");
 }
 
+TEST_F(StudioScreenshot, InTheLightThemeShowsAFormOnTheWindow) {
+  expect_as_kept("studio_light",
+                 "size 1280 800\n"
+                 "wait idle\n"
+                 "do view.light_theme\n"
+                 "click list \"row 2\"\n"
+                 "wait idle\n"
+                 "do list.create_index\n",
+                 "");
+}
+
 TEST_F(StudioScreenshot, AChangeOfOneLineOfTheLegendIsADifference) {
   expect_played(
       "size 1280 800\n"

@@ -16,7 +16,43 @@ Color rgb(unsigned code) {
   return {channel(16), channel(8), channel(0), 0xff};
 }
 
+Palette light_palette() {
+  Palette colors;
+  colors.window = rgb(0xe4e7eb);
+  colors.panel = rgb(0xf5f6f8);
+  colors.row = rgb(0xebeef1);
+  colors.selected = rgb(0xb5d5f2);
+  colors.hover = rgb(0xdde2e8);
+  colors.border = rgb(0xb4bcc6);
+  colors.text = rgb(0x1b1f24);
+  colors.faint_text = rgb(0x515963);
+  colors.disabled_text = rgb(0x656d77);
+  colors.error_text = rgb(0xb42318);
+  colors.accent = rgb(0x0b62ab);
+  colors.outside = rgb(0xc6ccd4);
+  return colors;
+}
+
+Theme used_theme = Theme::Dark;
+
 }  // namespace
+
+const Palette& palette_of(Theme theme) {
+  static const Palette dark, light = light_palette();
+  return theme == Theme::Dark ? dark : light;
+}
+
+const Palette& palette() {
+  return palette_of(used_theme);
+}
+
+Theme theme_in_use() {
+  return used_theme;
+}
+
+void use_theme(Theme theme) {
+  used_theme = theme;
+}
 
 Color faded(const Color& color, double opacity) {
   return {color.R, color.G, color.B, static_cast<std::uint8_t>(std::lround(255 * opacity))};

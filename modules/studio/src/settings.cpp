@@ -45,6 +45,7 @@ void StudioSettings::visit(OptionVisitor& v) {
   v.option("descriptors_height", descriptors_height, "pixels", "of the descriptors",
            Range::between(0, 8192));
   v.option("results_height", results_height, "pixels", "of the results", Range::between(0, 8192));
+  v.option("theme", theme, "colors of the window");
   v.option("legend", legend, "whether the list of layers is open");
   v.option("layers", layers, "visible layers, comma separated");
   for (std::size_t i = 0; i < recent.size(); ++i)

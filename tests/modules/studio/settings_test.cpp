@@ -24,6 +24,7 @@ TEST_F(StudioSettingsTest, AreReadAsWritten) {
   settings.width = 1920;
   settings.list_width = 471;
   settings.legend = false;
+  settings.theme = Theme::Light;
   settings.layers = "obstacles,voronoi";
   write_studio_settings(settings, path_);
   const StudioSettings read = read_studio_settings(path_);
@@ -31,6 +32,7 @@ TEST_F(StudioSettingsTest, AreReadAsWritten) {
   EXPECT_EQ(read.height, 800);
   EXPECT_EQ(read.list_width, 471);
   EXPECT_FALSE(read.legend);
+  EXPECT_EQ(read.theme, Theme::Light);
   EXPECT_EQ(read.layers, "obstacles,voronoi");
 }
 

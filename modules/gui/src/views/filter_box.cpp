@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "views/filter_box.h"
+#include "widgets/drawing.h"
 
 #include <GLFW/glfw3.h>
 #include <utility>
@@ -22,6 +23,15 @@ void FilterBox::set_text(const std::string& text) {
 void FilterBox::select_text() {
   mSelectionPos = 0;
   mCursorPos = static_cast<int>(mValueTemp.size());
+}
+
+/// nanogui's own colors of text and placeholder have too little contrast and hardly differ.
+void FilterBox::draw(NVGcontext* ctx) {
+  if (own_theme_.get() == nullptr) setTheme(own_theme_ = new nanogui::Theme(*theme()));
+  own_theme_->mTextColor = draw::nvg(palette().text);
+  own_theme_->mDisabledTextColor = draw::nvg(palette().faint_text);
+  setFontSize(15);  // setTheme() resets it
+  TextBox::draw(ctx);
 }
 
 bool FilterBox::keyboardEvent(int key, int scancode, int action, int modifiers) {

@@ -16,12 +16,14 @@ class FilterBox : public nanogui::TextBox {
 
   /// Replaces the text, also while it is edited.
   void set_text(const std::string& text);
+  void draw(NVGcontext* ctx) override;
   bool keyboardEvent(int key, int scancode, int action, int modifiers) override;
 
  private:
   void select_text();
 
   std::function<void()> left_;
+  nanogui::ref<nanogui::Theme> own_theme_;
 };
 
 }  // namespace slalom

@@ -95,14 +95,6 @@ class ListPanel : public Element {
   }
   void performLayout(NVGcontext* ctx) override {
     Element::performLayout(ctx);
-    if (filter_->theme() == theme() && theme() != nullptr) {
-      // The theme's colors of text and placeholder have too little contrast and hardly differ.
-      nanogui::ref<nanogui::Theme> readable = new nanogui::Theme(*theme());
-      readable->mTextColor = draw::nvg(palette().text);
-      readable->mDisabledTextColor = draw::nvg(palette().faint_text);
-      filter_->setTheme(readable);
-      filter_->setFontSize(15);  // setTheme() resets it
-    }
     arrange();
   }
 

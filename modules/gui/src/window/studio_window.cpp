@@ -2,6 +2,7 @@
 #include "views/panels.h"
 #include "views/scenario_view.h"
 #include "widgets/action_finder.h"
+#include "widgets/drawing.h"
 #include "widgets/menu.h"
 #include "widgets/splitter.h"
 #include "window/script_player.h"
@@ -72,6 +73,7 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
       settings_(settings) {
   make_elements();
   studio().recent() = settings.recent;
+  show_theme(settings.theme);
   view_->set_legend_open(settings.legend);
   show_layers(settings.layers);
   add_actions();
@@ -88,6 +90,11 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
   });
   set_scale(settings.scale);
   show();
+}
+
+void StudioWindow::show_theme(Theme theme) {
+  use_theme(theme);
+  setBackground(draw::nvg(palette().window));
 }
 
 /// Ignores unknown names.
@@ -274,6 +281,7 @@ StudioSettings StudioWindow::settings() const {
   StudioSettings now = settings_;
   now.width = std::clamp(width(), 640, 8192);
   now.height = std::clamp(height(), 480, 8192);
+  now.theme = theme_in_use();
   now.legend = view_->legend_open();
   now.recent = studio().recent();
   now.layers.clear();
@@ -307,6 +315,15 @@ void StudioWindow::add_view_actions() {
                 {},
                 {},
                 [&view] { return view.legend_open(); }});
+  actions_.add({"view.light_theme",
+                "View",
+                "Light theme",
+                "",
+                "Dark text on light panels, for bright rooms and pictures in print.",
+                [this] { show_theme(theme_in_use() == Theme::Dark ? Theme::Light : Theme::Dark); },
+                {},
+                {},
+                [] { return theme_in_use() == Theme::Light; }});
   actions_.add({"view.scenario", "View", "Show scenario", "",
                 "Moves the focus to the current scenario and fits it to the view.",
                 [&view] {

@@ -34,6 +34,7 @@ class StudioWindow : public PanelWindow {
   void add_actions();
   void add_view_actions();
   void show_layers(const std::string& names);
+  void show_theme(Theme theme);
   /// Shows the error of the action, if any.
   void run_action(const std::string& id) override;
   void next_panel();  ///< moves the focus to the next panel

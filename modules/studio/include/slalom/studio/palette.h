@@ -3,13 +3,21 @@
 
 #include <mrpt/img/TColor.h>
 
+#include <array>
 #include <string>
 
 namespace slalom {
 
 using Color = mrpt::img::TColor;
 
-/// The colors of the window. Text on a panel has a contrast of at least 4.5 to 1 (WCAG 2.1, AA).
+enum class Theme { Dark, Light };
+
+inline std::array<const char*, 2> enum_names(Theme) {
+  return {"dark", "light"};
+}
+
+/// The colors of the window; by default the dark ones. Text on a panel has a contrast of at least
+/// 4.5 to 1 (WCAG 2.1, AA). Those of the scenario are the same in all themes.
 struct Palette {
   Color window = {0x22, 0x26, 0x2c, 0xff};
   Color panel = {0x2b, 0x30, 0x38, 0xff};
@@ -41,10 +49,12 @@ struct Palette {
   Color edit = {0xe0, 0x7b, 0x00, 0xff};        ///< preview of an edit
 };
 
-inline const Palette& palette() {
-  static const Palette colors;
-  return colors;
-}
+const Palette& palette_of(Theme theme);
+
+/// The colors of the theme in use.
+const Palette& palette();
+Theme theme_in_use();
+void use_theme(Theme theme);
 
 /// The color with another opacity (0 to 1).
 Color faded(const Color& color, double opacity);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/core/options.h>
+#include <slalom/studio/palette.h>
 
 #include <array>
 #include <string>
@@ -23,7 +24,8 @@ struct StudioSettings {
   int list_width = 330;            ///< pixels
   int descriptors_height = 260;    ///< pixels
   int results_height = 220;        ///< pixels
-  bool legend = true;              ///< of the scenario view, whether it is open
+  Theme theme = Theme::Dark;
+  bool legend = true;  ///< of the scenario view, whether it is open
   std::string layers = "obstacles,shortest,safest,scan,trajectories,start_goal";  ///< visible
   RecentFiles recent;
 
