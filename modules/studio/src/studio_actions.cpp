@@ -13,9 +13,11 @@
 namespace slalom {
 namespace {
 
-FormField path_field(const std::string& label, const std::string& help) {
+FormField path_field(const std::string& label, const std::string& help,
+                     const std::string& extension = ".scenarios") {
   FormField field{"file", label, FieldKind::Text, "", "", help};
   field.wide = true;
+  field.extensions = {extension};
   return field;
 }
 
@@ -104,7 +106,7 @@ FormDescription open_results_form(Studio& studio) {
   return {"Open results",
           "Open",
           "Shows recorded runs on top of their scenarios.",
-          {path_field("Results", "a .results file")},
+          {path_field("Results", "a .results file", ".results")},
           [&studio](const FormValues& values) { studio.results().open(values.at("file")); }};
 }
 

@@ -36,6 +36,7 @@ void add_target_fields(FormDescription& form, const ListTarget& target) {
   file.wide = true;
   file.shown_if_key = "target";
   file.shown_if_value = kIntoFile;
+  file.extensions = {".scenarios"};
   form.fields.push_back(into);
   form.fields.push_back(file);
 }
@@ -90,6 +91,8 @@ FormDescription import_form(const StudioServices& services, const ListTarget& ta
       "files",           "Files", FieldKind::Text,
       join(files, ", "), "",      "maps, BARN worlds or folders, .scenario.yaml; comma separated"};
   paths.wide = true;
+  paths.extensions = {""};
+  paths.several = true;
   form.fields.push_back(paths);
   add_target_fields(form, target);
   for (const auto& [title, visit] : services.import_options) {
@@ -143,6 +146,8 @@ FormDescription export_form(const StudioServices& services, const Scenario& scen
   FormField file{"file",          "File", FieldKind::Text,
                  scenario.name(), "",     "the extension of the format is added if there is none"};
   file.wide = true;
+  for (const StudioServices::Format& one : services.export_formats)
+    file.extensions.push_back(one.extension);
   FormField cells{"resolution",
                   "Resolution",
                   FieldKind::Number,

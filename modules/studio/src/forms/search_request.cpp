@@ -26,6 +26,7 @@ FormDescription search_form(const std::string& folder) {
   FormField failures{"failures", "Failures", FieldKind::Integer,
                      "10",       "",         "stop after this many failures"};
   runs.range = failures.range = Range::between(1, 1e9);
+  campaign.extensions = {".ini"};
   form.fields = {campaign,
                  {"method", "Method", FieldKind::Text, "", "", "of the campaign"},
                  target,

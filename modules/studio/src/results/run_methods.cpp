@@ -102,6 +102,7 @@ FormDescription campaign_form(Studio& studio) {
   FormField path{"campaign", "Campaign", FieldKind::Text,
                  campaign,   "",         "its .ini, or a .results file that contains it"};
   path.wide = true;
+  path.extensions = {".ini", ".results"};
   FormField trust{"trust",
                   "Trust the results",
                   FieldKind::Flag,
