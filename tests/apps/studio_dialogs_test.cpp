@@ -20,6 +20,66 @@ class StudioDialogs : public StudioTest {
   }
 };
 
+TEST_F(StudioDialogs, OpensAListThroughTheTableOfAFolder) {
+  std::filesystem::create_directories(folder_ / "lists/empty");
+  make_list(2, "lists/b.scenarios");
+  for (int i = 100; i < 200; ++i) write("lists/a_" + std::to_string(i) + ".scenarios", "");
+  expect_played(
+      "size 1280 800\n"
+      "wait idle\n"
+      "do file.open\n"
+      "wait idle\n"
+      "expect folder contains lists/\n"
+      "expect folder lacks generate.ini\n"
+      "click folder lists/\n"
+      "wait idle\n"
+      "expect dialog contains \"List: lists/\"\n"
+      "screenshot folder.png\n"
+      "click folder empty/\n"
+      "expect folder lacks b.scenarios\n"
+      "click folder ../\n"
+      "wheel -100 folder\n"
+      "click folder b.scenarios at 0.9 0.5\n"  // scrolls to it
+      "expect dialog contains \"List: lists/b.scenarios\"\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect list contains \"2 scenarios\"\n");
+  expect_image("folder.png");
+}
+
+TEST_F(StudioDialogs, SaysWhyAFolderCannotBeRead) {
+  expect_played(
+      "do file.open\n"
+      "wait idle\n"
+      "type none/x\n"
+      "wait idle\n"
+      "expect folder contains \"No such file\"\n"
+      "screenshot none.png\n"
+      "click folder ../\n"
+      "expect dialog contains \"List: x\"\n");
+}
+
+TEST_F(StudioDialogs, PutDroppedFilesIntoTheirField) {
+  make_list(2);
+  write_map();
+  expect_played(
+      "do file.open\n"
+      "drop a.scenarios m.map\n"
+      "expect dialog contains \"List: 2 files dropped; expected one\"\n"
+      "drop a.scenarios\n"
+      "key Enter\n"
+      "wait idle\n"
+      "expect list contains \"2 scenarios\"\n"
+      "do file.import\n"
+      "drop m.map a.scenarios\n"
+      "drop generate.ini\n"
+      "expect dialog contains \"Files: a.scenarios, m.map, generate.ini\"\n"
+      "key Escape\n"
+      "do help.about\n"
+      "drop a.scenarios\n"  // a message takes none
+      "expect dialog contains Version\n");
+}
+
 TEST_F(StudioDialogs, GeneratesIntoTheOpenListUndoably) {
   make_list(2);
   expect_played(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "views/folder_table.h"
 #include "views/form_layout.h"
 #include "widgets/drawing.h"
 
@@ -17,7 +18,8 @@ bool has_choices(const FormField& field) {
 
 }  // namespace
 
-FormLayout::FormLayout(const FormModel& form, double width, const Measure& measure)
+FormLayout::FormLayout(const FormModel& form, double width, const Measure& measure,
+                       std::optional<std::size_t> browsed)
     : width_(width) {
   for (std::size_t i = 0; i < form.fields().size(); ++i) {
     if (!form.is_shown(i)) continue;
@@ -35,6 +37,11 @@ FormLayout::FormLayout(const FormModel& form, double width, const Measure& measu
       lay_out_wide(field, line);
     } else {
       lay_out_row(line);
+    }
+    if (browsed == i) {
+      line.folder = {kBoxLeft, line.top + line.height, width_ - kMargin - kBoxLeft,
+                     FolderTable::kHeight};
+      line.height += FolderTable::kHeight + 10;
     }
     height_ += line.height;
     lines_.push_back(line);

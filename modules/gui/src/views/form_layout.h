@@ -6,6 +6,7 @@
 #include <slalom/studio/form.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,16 +18,19 @@ struct FormLine {
   double top = 0, height = 0;
   ScreenRect label, box, unit;
   ScreenRect help;                  ///< of zero width where there is no space for it
+  ScreenRect folder;                ///< of zero height except for the browsed field
   std::vector<ScreenRect> choices;  ///< one per choice of the field
 };
 
 /// Layout of the visible fields, one below the other: label, box, unit and help in one row; choices
-/// and wide boxes use the full width, with their help below.
+/// and wide boxes use the full width, with their help below. The table of a folder is below the
+/// field that is browsed.
 class FormLayout {
  public:
   static constexpr double kMargin = 16;  ///< pixels, at the left and right
   using Measure = std::function<double(const std::string& text, float size)>;
-  FormLayout(const FormModel& form, double width, const Measure& measure);
+  FormLayout(const FormModel& form, double width, const Measure& measure,
+             std::optional<std::size_t> browsed = std::nullopt);
 
   const std::vector<FormLine>& lines() const { return lines_; }
   const FormLine* line_of(std::size_t field) const;  ///< null when the field is hidden

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "views/folder_table.h"
 #include "views/form_layout.h"
 #include "views/form_panel.h"
 #include "widgets/drawing.h"
@@ -6,9 +7,11 @@
 #include "widgets/table.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -36,17 +39,20 @@ void draw_two_lines(NVGcontext* ctx, const ScreenRect& rect, const std::string& 
 }
 
 /// Draws a form and handles its input; id "dialog". Parts: "field KEY", "choice KEY VALUE", "ok"
-/// and "cancel"; parts that are scrolled out of view have no rectangle.
+/// and "cancel"; parts that are scrolled out of view have no rectangle. The table of a folder is
+/// below the path field that had the focus last, or below the only one.
 ///
-/// Keys: Tab and Shift+Tab, Up and Down move between fields, Enter accepts, Escape cancels, Left,
-/// Right and Space choose, Page Up and Page Down (Up and Down in a message) scroll.
+/// Keys: those of FolderTable in its field; Tab and Shift+Tab, Up and Down move between fields,
+/// Enter accepts, Escape cancels, Left, Right and Space choose, Page Up and Page Down (Up and Down
+/// in a message) scroll.
 class FormPanel : public Element {
  public:
   FormPanel(nanogui::Widget* parent, FormDescription description, std::function<void()> close)
       : Element(parent, "dialog"),
         model_(std::move(description)),
         close_(std::move(close)),
-        layout_(model_, 0, [](const std::string&, float) { return 0; }) {
+        layout_(model_, 0, [](const std::string&, float) { return 0; }),
+        folder_(new FolderTable(this, [this](const FolderEntry& entry) { choose_entry(entry); })) {
     set_focus_to(tab_stops().front());
   }
 
@@ -67,6 +73,22 @@ class FormPanel : public Element {
     setHeight(std::min(height(), max_size.y()));
     setFixedSize(size());
     scroll_.set(is_message() ? intro_height_ : layout_.height(), content());
+    place_folder();
+  }
+  /// Sorted by name, so that the order of the files has no effect. They replace a folder that is
+  /// browsed; a field for several keeps its other paths.
+  void drop(std::vector<std::string> files) {
+    const auto field = browsed();
+    if (!field || files.empty()) return;
+    const FormField& into = model_.fields()[*field];
+    if (!into.several && files.size() > 1) {
+      message_ = into.label + ": " + std::to_string(files.size()) + " files dropped; expected one";
+      return;
+    }
+    std::sort(files.begin(), files.end());
+    const std::string path = path_in(*field);
+    const bool keeps = into.several && !path.empty() && !ends_with(path, "/");
+    put_path(*field, (keeps ? path + ", " : "") + join(files, ", "));
   }
   /// Closes the form, or shows the first error.
   void accept() {
@@ -177,6 +199,7 @@ class FormPanel : public Element {
     return true;
   }
   bool key(int key, int modifiers) override {
+    if (focus_ == browsed() && folder_->key(key, modifiers)) return true;
     if (key == GLFW_KEY_ESCAPE) {
       cancel();
     } else if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) {
@@ -226,9 +249,10 @@ class FormPanel : public Element {
   /// After fields were shown or hidden.
   void lay_out() {
     if (context_ == nullptr) return;
-    layout_ = FormLayout(model_, width(), [this](const std::string& text, float size) {
+    const auto measure = [this](const std::string& text, float size) {
       return draw::text_width(context_, text, size);
-    });
+    };
+    layout_ = FormLayout(model_, width(), measure, browsed());
     scroll_.set(is_message() ? intro_height_ : layout_.height(), content());
   }
 
@@ -247,11 +271,13 @@ class FormPanel : public Element {
     focus_ = stop;
     choice_ = 0;
     if (stop >= model_.fields().size()) return;
+    browse();
     editor_.set_text(model_.value(stop));
     editor_.select_all();
     const auto& choices = model_.fields()[stop].choices;
     for (std::size_t i = choices.size(); i-- > 0;)
       if (model_.is_chosen(stop, choices[i])) choice_ = i;
+    lay_out();
     if (const FormLine* line = context_ == nullptr ? nullptr : layout_.line_of(stop))
       scroll_.show(line->top, line->top + line->height);
   }
@@ -265,6 +291,56 @@ class FormPanel : public Element {
     model_.set_value(focus_, editor_.text());
     touched_.insert(focus_);
     message_.clear();
+    browse();
+  }
+
+  bool is_path(std::size_t field) const {
+    return field < model_.fields().size() && !model_.fields()[field].extensions.empty() &&
+           model_.is_shown(field);
+  }
+  /// The field whose folder is shown: the last one that had the focus, or the only one.
+  std::optional<std::size_t> browsed() const {
+    if (last_path_ && is_path(*last_path_)) return last_path_;
+    std::optional<std::size_t> only;
+    for (std::size_t i = 0; i < model_.fields().size(); ++i) {
+      if (!is_path(i)) continue;
+      if (only) return std::nullopt;
+      only = i;
+    }
+    return only;
+  }
+  /// The beginning in the field's text of the path whose folder is shown.
+  std::size_t begin_of_path(std::size_t field) const {
+    return model_.fields()[field].several ? begin_of_last_path(model_.value(field)) : 0;
+  }
+  std::string path_in(std::size_t field) const {
+    return model_.value(field).substr(begin_of_path(field));
+  }
+  void browse() {
+    if (is_path(focus_)) last_path_ = focus_;
+    const auto field = browsed();
+    if (field) folder_->show_folder(folder_of(path_in(*field)), model_.fields()[*field].extensions);
+  }
+  void choose_entry(const FolderEntry& entry) {
+    if (const auto field = browsed()) put_path(*field, path_to_entry(path_in(*field), entry));
+  }
+  /// Replaces the path that is browsed. The text is not selected, so that typing continues it.
+  void put_path(std::size_t field, const std::string& path) {
+    const std::string text = model_.value(field).substr(0, begin_of_path(field)) + path;
+    set_focus_to(field);
+    editor_.set_text(text);
+    edited();
+  }
+  /// Shows as much of the table as is not scrolled out of view.
+  void place_folder() {
+    const auto field = browsed();
+    const FormLine* line = field ? layout_.line_of(*field) : nullptr;
+    ScreenRect rect = line == nullptr ? ScreenRect{} : to_panel(line->folder);
+    const double bottom = std::min(rect.bottom(), content().bottom());
+    rect.top = std::max(rect.top, content().top);
+    rect.height = bottom - rect.top;
+    folder_->set_bounds(rect);
+    folder_->setVisible(rect.height > FolderTable::kMinHeight);
   }
   void choose(std::size_t field, std::size_t choice) {
     const auto& choices = model_.fields()[field].choices;
@@ -272,6 +348,7 @@ class FormPanel : public Element {
     choice_ = choice;
     touched_.insert(field);
     message_.clear();
+    browse();
     lay_out();
   }
   bool move_focus(int key, int modifiers) {
@@ -308,7 +385,8 @@ class FormPanel : public Element {
     if (ok_rect().contains(at)) return ok_tab_stop();
     return has_cancel() && cancel_rect().contains(at) ? cancel_tab_stop() : 0;
   }
-  void press_line(const FormLine& line, const Point& at, int modifiers) {
+  void press_line(const FormLine& pressed, const Point& at, int modifiers) {
+    const FormLine line = pressed;  // a copy: the focus and choices change the layout
     const std::size_t field = line.field;
     if (is_text_field(field)) {
       if (focus_ == field) {
@@ -323,9 +401,8 @@ class FormPanel : public Element {
       choose(field, 0);
       return;
     }
-    const std::vector<ScreenRect> choices = line.choices;  // a copy: choosing changes the layout
-    for (std::size_t i = 0; i < choices.size(); ++i)
-      if (to_panel(choices[i]).contains(at)) {
+    for (std::size_t i = 0; i < line.choices.size(); ++i)
+      if (to_panel(line.choices[i]).contains(at)) {
         choose(field, i);
         return;
       }
@@ -387,6 +464,8 @@ class FormPanel : public Element {
   std::function<void()> close_;
   NVGcontext* context_ = nullptr;  ///< to measure texts
   FormLayout layout_;
+  FolderTable* folder_;
+  std::optional<std::size_t> last_path_;  ///< the path field that had the focus last
   std::size_t focus_ = 0;
   std::size_t pressed_ = 0;  ///< tab stop of the button that is held down
   std::size_t choice_ = 0;   ///< of the focused field, for the keyboard
@@ -411,6 +490,7 @@ class FormDialog : public nanogui::Window {
     performLayout(ctx);
     Widget::draw(ctx);  // NOLINT(bugprone-parent-virtual-call): without the frame of a Window
   }
+  void drop(const std::vector<std::string>& files) { panel_->drop(files); }
   nanogui::Vector2i preferredSize(NVGcontext*) const override { return panel_->size(); }
   void performLayout(NVGcontext* ctx) override {
     const nanogui::Vector2i available = screen()->size();
@@ -444,6 +524,11 @@ void open_form(nanogui::Screen& screen, FormDescription description) {
   auto* dialog = new FormDialog(screen, std::move(description));
   dialog->performLayout(screen.nvgContext());
   dialog->requestFocus();
+}
+
+void drop_into_form(nanogui::Screen& screen, const std::vector<std::string>& files) {
+  for (auto child = screen.children().rbegin(); child != screen.children().rend(); ++child)
+    if (auto* dialog = dynamic_cast<FormDialog*>(*child)) return dialog->drop(files);
 }
 
 }  // namespace slalom

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "views/form_panel.h"
 #include "views/panels.h"
 #include "views/scenario_view.h"
 #include "widgets/action_finder.h"
@@ -189,7 +190,7 @@ void StudioWindow::arrange() {
 }
 
 bool StudioWindow::dropEvent(const std::vector<std::string>& files) {
-  if (!dialog_open()) open_files(studio(), files);
+  dialog_open() ? drop_into_form(*this, files) : open_files(studio(), files);
   return true;
 }
 
