@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/methods/barrier_filter.h>
 #include <slalom/methods/registry.h>
@@ -99,6 +100,11 @@ std::string resolve_method_file(const std::string& kind, const std::string& file
     const fs::path path = fs::absolute(candidate).lexically_normal();
     std::error_code ignored;
     if (fs::is_regular_file(path, ignored)) return path.string();
+    if (fs::exists(path, ignored)) try {
+        require_regular_file(path.string(), "a file of a method");
+      } catch (const Error& error) {
+        throw usage_error(where, error.what());
+      }
     if (!contains(tried, path.string())) tried.push_back(path.string());
   }
   throw usage_error(where, kind + " '" + file + "' not found", "a file at " + join(tried, " or "));
