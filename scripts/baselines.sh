@@ -87,7 +87,7 @@ for page in "${pages[@]}"; do
   for method in $methods; do
     "$bin/slalom-simulate" run -c configs/baselines.ini --scenarios "$list" -o "$folder/$page/$method.results" \
       -j "${JOBS:-2}" --quiet --set limits.run_wall_time=3600 --set "campaign.methods=$method" "${options[@]}"
-    "$bin/slalom-simulate" bundle "$folder/$page/$method.results" -o "$folder/$page/$method.slalom"
+    "$bin/slalom-simulate" bundle "$folder/$page/$method.results" -o "$folder/$page/$method.slalom" --with-sources
   done
   table "$page" all "$columns" >"$folder/$page/all.csv"
   table "$page" "$bins" "${metrics// /,}" >"$folder/$page/bins.csv"

@@ -232,6 +232,25 @@ TEST_F(Bundles, CarryTheFilesOfTheirMethods) {
   EXPECT_EQ(run("slalom-analyze dump again.results").out, run("slalom-analyze dump a.slalom").out);
 }
 
+TEST_F(Bundles, CarryTheConfigurationsOfMrptsMethods) {
+  const std::string original = "/usr/share/mrpt/config_files/navigation-ptgs/reactive2d_config.ini";
+  for (const char* adapter : {"mrpt_navigator", "mrpt_holonomic"}) {
+    std::filesystem::copy_file(original, folder_ / "mine.ini");
+    write("mrpt.ini",
+          "[campaign]\nmethods = mrpt\n[scenarios]\ngenerator = random\ncount = 2\n[method.mrpt]\n"
+          "config = mine.ini\nadapter = " +
+              std::string(adapter) +
+              (adapter == std::string("mrpt_holonomic") ? "\nclass = CHolonomicND\n" : "\n"));
+    ASSERT_EQ(run("slalom-evaluate mrpt.ini -o " + std::string(adapter) +
+                  " --bundle a.slalom --with-sources --quiet")
+                  .status,
+              0);
+    std::filesystem::remove(folder_ / "mine.ini");
+    const ProgramResult verified = run("slalom-simulate verify a.slalom --fraction 1 --quiet");
+    EXPECT_EQ(verified.status, 0) << adapter << verified.out << verified.err;
+  }
+}
+
 TEST_F(Bundles, WithAnotherFileOfAMethodAreRefused) {
   const auto with = [&](const std::string& key, const std::string& hash) {
     forge({[&](Manifest& manifest) { manifest[key + "_hash"] = Hasher().add(hash).hex(); }},

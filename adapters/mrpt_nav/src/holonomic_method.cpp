@@ -275,13 +275,12 @@ MethodFactory mrpt_holonomic(const std::string& class_name) {
 }
 
 MethodFactory read_holonomic_method(const IniFile& ini, const std::string& section) {
-  return make_factory(read_adapter_options<HolonomicOptions>(ini, section),
-                      location_in(ini, section));
+  return make_factory(read_mrpt_options<HolonomicOptions>(ini, section), location_in(ini, section));
 }
 
 std::optional<std::string> holonomic_config_value(const IniFile& ini, const std::string& section,
                                                   const std::string& name) {
-  const auto options = read_adapter_options<HolonomicOptions>(ini, section);
+  const auto options = read_mrpt_options<HolonomicOptions>(ini, section);
   // No code of a plug-in runs in this process.
   mrpt::nav::registerAllClasses_mrpt_nav();
   const auto object = options.plugin.empty() ? create_by_name(options.class_name) : nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/library/library_method.h>
+#include <slalom/methods/registry.h>
 #include <slalom/robot/robot_model.h>
 
 #include <mrpt/config/CConfigFileMemory.h>
@@ -13,6 +15,18 @@
 namespace slalom {
 
 class NotedConfig;
+
+/// The options of an adapter, with the paths of `config` and `plugin` resolved as those of other
+/// methods. Throws Error (Usage).
+template <typename Options>
+Options read_mrpt_options(const IniFile& ini, const std::string& section) {
+  auto options = read_adapter_options<Options>(ini, section);
+  if (!options.config.empty())
+    options.config =
+        resolve_method_file("config", options.config, ini.folder(), ini.where(section, "config"));
+  if (!options.plugin.empty()) options.plugin = resolve_plugin_path(ini, section, "plugin");
+  return options;
+}
 
 /// Reads the file and expands its definitions. Throws Error (File) if it cannot be read.
 mrpt::config::CConfigFileMemory read_navigator_config(const std::string& path);

@@ -176,14 +176,14 @@ MethodFactory mrpt_navigator(const NavigatorOptions& options) {
 
 std::optional<std::string> navigator_config_value(const IniFile& ini, const std::string& section,
                                                   const std::string& name) {
-  const auto options = read_adapter_options<NavigatorOptions>(ini, section);
+  const auto options = read_mrpt_options<NavigatorOptions>(ini, section);
   mrpt::config::CConfigFileMemory config;
   if (!options.config.empty()) config = read_navigator_config(options.config);
   return value_of_key(config, options.config_set, name, ini.where(section, "config_set"));
 }
 
 MethodFactory read_navigator_method(const IniFile& ini, const std::string& section) {
-  auto options = read_adapter_options<NavigatorOptions>(ini, section);
+  auto options = read_mrpt_options<NavigatorOptions>(ini, section);
   options.name = section.substr(section.find('.') + 1);
   return make_factory(options, location_in(ini, section));
 }

@@ -41,10 +41,9 @@ std::string path_of(const IniFile& ini, const ExternalOption& option) {
     case External::Library:
       return resolve_plugin_path(ini, option.section, option.key);
     case External::Code:
+    case External::File:
       return resolve_method_file(option.key, option.value, ini.folder(),
                                  ini.where(option.section, option.key));
-    case External::File:
-      return option.value;
     default:
       return "";
   }

@@ -234,8 +234,9 @@ TEST(HolonomicMethod, OverridesTheDefaultsOfTheClass) {
 
 TEST(HolonomicMethod, RefusesMissingFiles) {
   EXPECT_TRUE(refuses("config", "/nowhere/nd.ini",
-                      {"/nowhere/nd.ini: cannot be read", "expected an MRPT .ini"}));
-  EXPECT_TRUE(refuses("plugin", "/nowhere/libplugin.so", {"cannot be loaded (/nowhere/"}));
+                      {"config '/nowhere/nd.ini' not found", "expected a file"}));
+  EXPECT_TRUE(refuses("plugin", "/nowhere/libplugin.so",
+                      {"library '/nowhere/libplugin.so' not found", "expected a file"}));
 }
 
 }  // namespace

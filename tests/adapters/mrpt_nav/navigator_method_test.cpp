@@ -160,13 +160,13 @@ TEST(NavigatorMethod, RefusesMissingFilesAndClassesInOneLine) {
   EXPECT_TRUE(
       refuses_navigator("", ": [method.nav] config: ", {"configuration", "expected an MRPT .ini"}));
   EXPECT_TRUE(refuses_navigator("config = /nowhere/nav.ini\n", ":3: [method.nav] config: ",
-                                {"/nowhere/nav.ini: cannot be read", "expected an MRPT .ini"}));
+                                {"config '/nowhere/nav.ini' not found", "expected a file"}));
   EXPECT_TRUE(
       refuses_navigator(small + "class = CReactive\n", ":4: [method.nav] class: ",
                         {"navigator class 'CReactive'", "expected CReactiveNavigationSystem",
                          "CReactiveNavigationSystem3D", "plugin"}));
-  EXPECT_TRUE(refuses_navigator("plugin = /nowhere/libnav.so\n",
-                                ":3: [method.nav] plugin: ", {"cannot be loaded (/nowhere/"}));
+  EXPECT_TRUE(refuses_navigator("plugin = /nowhere/libnav.so\n", ":3: [method.nav] plugin: ",
+                                {"library '/nowhere/libnav.so' not found", "expected a file"}));
   EXPECT_TRUE(refuses_navigator(small + "modules = /nowhere/libptg.so\n",
                                 ":4: [method.nav] modules: ", {"cannot be loaded (/nowhere/"}));
   EXPECT_TRUE(refuses_navigator(small + "marign = 1\n", "", {"'margin'"}));
