@@ -3,6 +3,8 @@
 # Unpacks the archive of scripts/archive.sh in a new system below /tmp, without installing any package there, and runs
 # campaigns as an ordinary user:
 #   scripts/check_archive.sh [SUITE [ARCHIVE [MIRROR]]]
+# Environment variables: BUNDLES, a folder with bundles that are verified there, such as FOLDER/slalom-standard of
+# scripts/baselines.sh FOLDER; FRACTION, the part of their scenarios (0.02).
 # SUITE is the code name of a release of Debian, default trixie (Debian 13), or of Ubuntu, noble (24.04) or resolute (26.04).
 # ARCHIVE is by default that of build/release, MIRROR that of the distribution; Ubuntu's signatures are checked only where
 # its keyring is installed. The folder has a space in its name. Checked are the first campaign of the README with its
@@ -41,6 +43,13 @@ as_user sh -c 'PATH="$(echo "/home/user/my programs"/slalom-*/bin):$PATH" && cd 
   slalom-evaluate python.ini -o python -j 2 --quiet && test -s python/report/index.html &&
   slalom-analyze summary python/runs.results'
 echo "== a report about a method in ten lines of Python in $(since $start)"
+if [ "${BUNDLES:-}" ]; then
+  start=$SECONDS
+  cp "$BUNDLES"/*.slalom "$home/work"
+  as_user sh -c 'PATH="$(echo "/home/user/my programs"/slalom-*/bin):$PATH" && cd /home/user/work && set -e &&
+    for bundle in *.slalom; do echo "$bundle: $(slalom-simulate verify "$bundle" --fraction '"${FRACTION:-0.02}"' -j 0 --quiet | tail -1)"; done'
+  echo "== bundles in $(since $start)"
+fi
 as_user rm -r "/home/user/my programs"
 left=$(as_user find /home/user -mindepth 1 -maxdepth 1 ! -name '.*' ! -name work)
 [ -z "$left" ] || { echo "left behind:"; echo "$left"; exit 1; }

@@ -22,6 +22,7 @@
 #include <slalom/io/result_file.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/report/report.h>
+#include <slalom/results/method_failures.h>
 #include <slalom/results/privileged.h>
 
 #include <nlohmann/json.hpp>
@@ -70,19 +71,31 @@ struct Group {
 
 constexpr const char* kMetrics[] = {"success", "optimality", "safety"};
 
+/// Whether a limit of time or memory, or anything else that a method did, ended a run.
+bool has_method_failure(const ResultTable& runs) {
+  return std::any_of(runs.outcome.begin(), runs.outcome.end(), [&](std::uint32_t outcome) {
+    return is_method_failure(runs.outcomes[outcome]);
+  });
+}
+
 /// The values of the campaign that are not the defaults, without names and methods: those decide
-/// which results stand in one table.
-std::string settings_of(const Manifest& manifest, const std::string& path) {
+/// which results stand in one table. What a process may take does not count where it ended no run:
+/// the results would be the same with more.
+std::string settings_of(const ResultTable& runs, const std::string& path) {
+  const Manifest& manifest = runs.manifest;
   const auto text = manifest.find(kEffectiveKey);
   if (text == manifest.end()) throw file_error(path, "does not state its settings");
   const IniFile ini = IniFile::from_text(text->second, path);
   IniFile defaults = campaign_ini(CampaignOptions(), "");
   write_options(defaults, "reference", OmplOptions(), "");
+  IniFile unused = IniFile::from_text("", "");
+  if (!has_method_failure(runs)) write_options(unused, "limits", LimitsSection(), "");
   std::vector<std::string> settings;
   for (const std::string& section : ini.sections())
     for (const std::string& key : ini.keys(section)) {
       if (starts_with(section, "method.") || section == "analysis" || section == "metrics" ||
-          section == "record" || (section == "campaign" && key != "repetitions"))
+          section == "record" || (section == "campaign" && key != "repetitions") ||
+          unused.get(section, key))
         continue;
       const std::string value = ini.get(section, key).value_or("");
       if (value != defaults.get(section, key).value_or(""))
@@ -123,7 +136,7 @@ Entry read_entry(const std::string& path, const std::string& name) {
                      "all " + std::to_string(plan.runs()) + " of its campaign");
   const std::string hash = content_hash(entry.runs.scenario_hashes), bed = testbed_of(hash);
   entry.scenarios = bed.empty() ? "scenarios " + hash : bed;
-  entry.settings = settings_of(manifest, path);
+  entry.settings = settings_of(entry.runs, path);
   entry.verified = verification_of(path);
   mark_privileged(entry.runs);
   return entry;

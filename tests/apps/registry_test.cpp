@@ -78,6 +78,7 @@ TEST_F(Registry, HasATableForEachSetOfScenariosAndSettings) {
   add_entry("fast", "--set robot.max_v=1.5");
   add_entry("late", "--set limits.cycle_deadline=10");
   add_entry("other", "--set campaign.seed=6");
+  add_entry("patient", "--set limits.run_wall_time=900 --set limits.memory_mb=0");  // as "a"
   ASSERT_EQ(run("slalom-analyze registry entries -o site --no-reports").status, 0);
   std::vector<std::string> titles;
   const Json all = tables();
