@@ -515,6 +515,46 @@ TEST_F(StudioList, MovesThroughRowsByKeys) {
       "a.scenarios");
 }
 
+TEST_F(StudioList, ShowsAGridOfPicturesAndKeepsItForTheNextTime) {
+  make_list(60);
+  expect_played(
+      "size 1280 800\n"
+      "wait idle\n"
+      "do view.grid\n"
+      "wait idle\n"
+      "expect rows lacks \"row 30:\"\n"
+      "click list \"row 1\"\n"
+      "expect rows contains \"row 1: random_0001\"\n"
+      "expect list contains \"1 selected\"\n"
+      "key Right\n"
+      "key Shift+Right\n"
+      "expect list contains \"2 selected\"\n"
+      "click list \"row 50\" ctrl\n"
+      "expect list contains \"3 selected\"\n"
+      "key End\n"
+      "expect rows contains \"row 59: random_0059\"\n"
+      "expect rows lacks \"row 2:\"\n"
+      "click list \"row 2\" right\n"
+      "expect popup contains Rename\n"
+      "key Escape\n"
+      "wait idle\n"
+      "screenshot grid.png\n"
+      "key Home\n"
+      "key Shift+Down\n"
+      "expect list contains \"4 selected\"\n"
+      "drag splitter_list to menu at 0.5 0.5\n"
+      "key Home\n"
+      "key Shift+Down\n"
+      "expect list contains \"5 selected\"\n"
+      "wait idle\n"
+      "screenshot wide.png\n",
+      "a.scenarios --settings studio.ini");
+  EXPECT_NE(read("studio.ini").find("grid = true"), std::string::npos);
+  expect_played("expect rows contains \"row 11:\"\ndo view.grid\nwait idle\n",
+                "a.scenarios --settings studio.ini");
+  EXPECT_NE(read("studio.ini").find("grid = false"), std::string::npos);
+}
+
 TEST_F(StudioList, GroupsByAnIndexThatIsCreatedAndDropped) {
   make_described_list(6);
   expect_played(

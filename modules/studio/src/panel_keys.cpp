@@ -11,7 +11,7 @@ const std::vector<PanelKey>& panel_keys() {
       {"list", {"Shift+Up", "Shift+Down"}, "select a range"},
       {"list", {"Ctrl+Up", "Ctrl+Down"}, "move without selecting"},
       {"list", {"Space"}, "toggle the selection or a group"},
-      {"list", {"Left", "Right"}, "close, open the group"},
+      {"list", {"Left", "Right"}, "close, open the group; in a grid: move and select"},
       {"list", {"Ctrl+A", "Escape"}, "select all, none"},
       {"filter", {"Enter", "Escape"}, "apply and select the text; back to the list"},
       {"descriptors", {"Tab", "Shift+Tab"}, "next, previous tab"},

@@ -46,6 +46,7 @@ void StudioSettings::visit(OptionVisitor& v) {
            Range::between(0, 8192));
   v.option("results_height", results_height, "pixels", "of the results", Range::between(0, 8192));
   v.option("theme", theme, "colors of the window");
+  v.option("grid", grid, "whether the list is a grid of pictures");
   v.option("legend", legend, "whether the list of layers is open");
   v.option("layers", layers, "visible layers, comma separated");
   for (std::size_t i = 0; i < recent.size(); ++i)

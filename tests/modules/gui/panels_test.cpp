@@ -60,6 +60,77 @@ TEST_F(Panels, OfDescriptorsShowValuesHistogramAndScatterPlot) {
   EXPECT_FALSE(shows(*panel, "Clearness over Density"));
 }
 
+TEST_F(Panels, OfListsShowRowsOrAGridOfPictures) {
+  auto rows = sized(make_list_rows(nullptr, studio_));
+  rows->setSize({330, 600});
+  studio_.open_list(make_list("a.scenarios", 11));
+  finish();
+  const auto row = [&](int i) { return *rows->rect_of("row " + std::to_string(i)); };
+  EXPECT_EQ(row(1).left, 0);
+  EXPECT_EQ(row(1).top, 56);
+  EXPECT_EQ(row(1).width, 320) << "the scroll bar takes 10";
+  studio_.grid() = true;
+  // 3 columns in 320 pixels, of at least 104: 106 with pictures of 94 and 20 for the name; 4 rows
+  // of 120 need no scroll bar.
+  EXPECT_EQ(row(2).left, 220);
+  EXPECT_EQ(row(2).width, 110);
+  EXPECT_EQ(row(2).height, 120);
+  EXPECT_EQ(row(3).left, 0);
+  EXPECT_EQ(row(3).top, 120);
+  rows->setSize({440, 300});
+  EXPECT_NEAR(row(3).left, 3 * 430.0 / 4, 1e-9) << "4 columns, 3 rows and a scroll bar";
+  EXPECT_EQ(row(4).left, 0);
+  EXPECT_EQ(row(10).bottom(), 300) << "scrolled into view";
+}
+
+TEST_F(Panels, OfListsMoveInAGridByKeys) {
+  auto rows = sized(make_list_rows(nullptr, studio_));
+  rows->setSize({330, 300});
+  studio_.open_list(make_list("a.scenarios", 11));
+  finish();
+  studio_.grid() = true;
+  ListDocument& list = *studio_.active();
+  list.select_only(0);
+  const auto current_after = [&](int pressed) {
+    key(*rows, pressed);
+    return *list.view().index_of(list.current());
+  };
+  EXPECT_EQ(current_after(GLFW_KEY_RIGHT), 1U);
+  EXPECT_EQ(current_after(GLFW_KEY_DOWN), 4U);
+  EXPECT_EQ(current_after(GLFW_KEY_LEFT), 3U);
+  EXPECT_EQ(current_after(GLFW_KEY_UP), 0U);
+  EXPECT_EQ(current_after(GLFW_KEY_LEFT), 0U);
+  EXPECT_EQ(current_after(GLFW_KEY_END), 10U);
+  EXPECT_EQ(current_after(GLFW_KEY_RIGHT), 10U);
+  EXPECT_EQ(current_after(GLFW_KEY_HOME), 0U);
+  EXPECT_EQ(current_after(GLFW_KEY_PAGE_DOWN), 3U) << "2.5 rows are visible: one is a page";
+  EXPECT_EQ(list.selected_count(), 1U);
+  rows->keyboardEvent(GLFW_KEY_DOWN, 0, GLFW_PRESS, GLFW_MOD_SHIFT);
+  EXPECT_EQ(list.selected_count(), 4U) << "3 to 6";
+}
+
+TEST_F(Panels, OfListsCloseAndOpenGroupsInAGridOnTheirHeaders) {
+  auto rows = sized(make_list_rows(nullptr, studio_));
+  studio_.grid() = true;
+  studio_.open_list(make_list("a.scenarios", 5));
+  finish();
+  ListDocument& list = *studio_.active();
+  list.create_index("by_density", "density", {0, 0.5, 1});
+  list.set_group_by("by_density");
+  finish();
+  const std::size_t group = *list.lines().group_of(0);
+  EXPECT_EQ(rows->rect_of("group " + std::to_string(group))->width, 900);
+  list.select_only(0);
+  key(*rows, GLFW_KEY_LEFT);  // to the header
+  EXPECT_FALSE(list.lines().is_closed(group));
+  key(*rows, GLFW_KEY_LEFT);
+  EXPECT_TRUE(list.lines().is_closed(group));
+  key(*rows, GLFW_KEY_RIGHT);
+  EXPECT_FALSE(list.lines().is_closed(group));
+  key(*rows, GLFW_KEY_RIGHT);
+  EXPECT_TRUE(list.is_selected(0));
+}
+
 TEST_F(Panels, OfResultsShowRunsAndTheirReplay) {
   auto panel = sized(make_results_panel(nullptr, studio_));
   EXPECT_TRUE(shows(*panel, "No result file is open."));

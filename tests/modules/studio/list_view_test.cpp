@@ -172,18 +172,60 @@ TEST(ListLines, IncludeGroupHeaders) {
 
 TEST(ListLines, HavePositionsInPixels) {
   const ListLines lines(4, {{"a", 0, 1}, {"b", 1, 3}}, {});
-  const ListLines::Heights heights{50, 20};
+  const ListLines::Layout layout{50, 20};
   // a 0 to 20, its scenario to 70, b to 90, its scenarios to 140, 190, 240.
   const double tops[] = {0, 20, 70, 90, 140, 190, 240};
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(lines.top_of(i, heights), tops[i]);
-  EXPECT_EQ(lines.line_at(-5, heights), 0U);
-  EXPECT_EQ(lines.line_at(19.9, heights), 0U);
-  EXPECT_EQ(lines.line_at(20, heights), 1U);
-  EXPECT_EQ(lines.line_at(139, heights), 3U);
-  EXPECT_EQ(lines.line_at(1e9, heights), 5U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(lines.place_of(i, layout).top, tops[i]);
+    EXPECT_EQ(lines.place_of(i, layout).height, tops[i + 1] - tops[i]);
+  }
+  EXPECT_EQ(lines.height(layout), 240);
+  EXPECT_EQ(lines.line_at(-5, layout), 0U);
+  EXPECT_EQ(lines.line_at(19.9, layout), 0U);
+  EXPECT_EQ(lines.line_at(20, layout), 1U);
+  EXPECT_EQ(lines.line_at(139, layout), 3U);
+  EXPECT_EQ(lines.line_at(1e9, layout), 5U);
   const ListLines plain(3, {}, {});
-  EXPECT_EQ(plain.line_at(101, heights), 2U);
+  EXPECT_EQ(plain.line_at(101, layout), 2U);
   EXPECT_EQ(plain.at(2).index, 2U);
+}
+
+/// Rows of three: a (header 0), 1 2 3, 4; b (header 5, closed); c (header 6), 7 8.
+const ListLines kGrid(9, {{"a", 0, 4}, {"b", 4, 3}, {"c", 7, 2}}, {"b"});
+
+TEST(ListLines, StandSideBySideInAGridWithHeadersAcross) {
+  const ListLines::Layout layout{50, 20, 3};
+  // Headers at 0, 120 and 140; rows of scenarios at 20, 70 and 160.
+  const double tops[] = {0, 20, 20, 20, 70, 120, 140, 160, 160};
+  const std::size_t columns[] = {0, 0, 1, 2, 0, 0, 0, 0, 1};
+  ASSERT_EQ(kGrid.size(), 9U);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const ListLines::Place place = kGrid.place_of(i, layout);
+    EXPECT_EQ(place.top, tops[i]) << i;
+    EXPECT_EQ(place.column, columns[i]) << i;
+    EXPECT_EQ(place.columns, kGrid.at(i).group ? 1U : 3U) << i;
+  }
+  EXPECT_EQ(kGrid.height(layout), 210);
+  EXPECT_EQ(kGrid.line_at(69, layout), 1U);
+  EXPECT_EQ(kGrid.line_at(70, layout), 4U);
+  EXPECT_EQ(kGrid.line_at(1e9, layout), 7U);
+  EXPECT_EQ(ListLines(100000, {}, {}).height(layout), 33334 * 50.0);
+  EXPECT_EQ(ListLines(100000, {}, {}).line_at(20000 * 50.0, layout), 60000U);
+}
+
+TEST(ListLines, AreReachedByRowsInAGrid) {
+  const std::size_t below[] = {1, 4, 4, 4, 5, 6, 7, 7, 8};
+  const std::size_t above[] = {0, 0, 0, 0, 1, 4, 5, 6, 6};
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_EQ(kGrid.line_below(i, 1, 3), below[i]) << i;
+    EXPECT_EQ(kGrid.line_below(i, -1, 3), above[i]) << i;
+    EXPECT_EQ(kGrid.line_below(i, 1, 1), std::min<std::size_t>(i + 1, 8)) << i;
+    EXPECT_EQ(kGrid.line_below(i, -3, 1), i - std::min<std::size_t>(i, 3)) << i;
+  }
+  EXPECT_EQ(kGrid.line_below(2, 100, 3), 7U);
+  EXPECT_EQ(ListLines(11, {}, {}).line_below(1, 2, 3), 7U);
+  EXPECT_EQ(ListLines(11, {}, {}).line_below(8, 1, 3), 10U) << "the last row has two columns";
+  EXPECT_EQ(ListLines(11, {}, {}).line_below(10, -2, 3), 4U);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ TEST_F(StudioSettingsTest, AreReadAsWritten) {
   StudioSettings settings;
   settings.width = 1920;
   settings.list_width = 471;
+  settings.grid = true;
   settings.legend = false;
   settings.theme = Theme::Light;
   settings.layers = "obstacles,voronoi";
@@ -31,6 +32,7 @@ TEST_F(StudioSettingsTest, AreReadAsWritten) {
   EXPECT_EQ(read.width, 1920);
   EXPECT_EQ(read.height, 800);
   EXPECT_EQ(read.list_width, 471);
+  EXPECT_TRUE(read.grid);
   EXPECT_FALSE(read.legend);
   EXPECT_EQ(read.theme, Theme::Light);
   EXPECT_EQ(read.layers, "obstacles,voronoi");

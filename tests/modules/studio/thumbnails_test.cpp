@@ -46,6 +46,14 @@ TEST(Thumbnails, ShowObstaclesStartAndGoalWhereTheyAre) {
   EXPECT_EQ(pixel(picture, 6, 34), kFree);
 }
 
+TEST(Thumbnails, HaveSymbolsInProportionToTheirSize) {
+  const Thumbnail picture =
+      make_thumbnail(Scenario::continuous("", kWide, {}, {12, 22, 0}, {28, 22}), 128);
+  // 6.4 pixels per meter; the goal is at 115.2, 83.2, with a radius of 7 pixels.
+  EXPECT_EQ(pixel(picture, 109, 83), pixel_of(palette().goal));
+  EXPECT_EQ(pixel(picture, 107, 83), kFree);
+}
+
 TEST(Thumbnails, ShowMoversWhereTheyAreAtTheBeginning) {
   const auto walk = [](double t, double x, double y) {
     return std::vector<Waypoint>{{t, {x, y}}, {t + 5, {x + 3, y}}};
@@ -130,6 +138,7 @@ TEST(LruCache, EvictsTheLeastRecentlyUsedItem) {
   EXPECT_EQ(evicted, std::vector<int>{2});
   EXPECT_EQ(cache.find("b"), nullptr);
   EXPECT_EQ(*cache.find("a"), 1);
+  cache.set_capacity(3);
   cache.put("a", 4);
   EXPECT_EQ(*cache.find("a"), 4);
   EXPECT_EQ(cache.size(), 2U);
@@ -171,6 +180,19 @@ TEST_F(ThumbnailMakers, ReturnEmptyThumbnailsOnReadErrors) {
   maker.request(folder_ / "missing", {hash_of(0)});
   finish();
   EXPECT_EQ(sizes, (std::vector<int>{0, 64, 0}));
+}
+
+TEST_F(ThumbnailMakers, DrawInTheSizeThatWasRequestedLast) {
+  const std::string path = make_list("a.scenarios", 9);
+  std::map<std::string, int> sizes;
+  ThumbnailMaker maker(jobs_, [&](const std::string& hash, const Thumbnail& picture) {
+    sizes[hash] = picture.size;
+  });
+  maker.request(path, {hash_of(0)});
+  maker.request(path, {hash_of(7), hash_of(8)}, 128);
+  finish();
+  EXPECT_EQ(sizes,
+            (std::map<std::string, int>{{hash_of(0), 64}, {hash_of(7), 128}, {hash_of(8), 128}}));
 }
 
 TEST_F(ThumbnailMakers, MayBeDestroyedBeforeTheirJobsEnd) {

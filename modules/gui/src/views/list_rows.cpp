@@ -8,15 +8,18 @@
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace slalom {
 namespace {
 
-constexpr std::size_t kMaxTextures = 400;  // 6.5 MB of textures
-constexpr double kRowMargin = 6;           // pixels
-constexpr int kThumbnailSize = 46;         // pixels
+constexpr std::size_t kTextureMemory = 32 << 20;         // bytes; more if what is seen needs it
+constexpr double kRowMargin = 6, kRowPicture = 46;       // pixels
+constexpr double kRowHeight = 56, kHeaderHeight = 28;    // pixels
+constexpr double kMinCellWidth = 104, kNameHeight = 20;  // pixels, of the grid
+constexpr int kGridPicture = 2 * kThumbnailSize;         // pixels that are drawn
 
 /// Parses the number after a prefix, as in "row 12".
 std::optional<std::size_t> number_after(const std::string& prefix, const std::string& part) {
@@ -37,26 +40,27 @@ std::string value_text(const ListRow& row, const std::string& unit) {
 }
 
 /// The rows of the active list: thumbnail, name, id, tags and sort value of each scenario, and
-/// group headers.
+/// group headers; or a grid of larger pictures with names, the rest in their tooltips.
 ///
 /// Mouse: click, Ctrl+click and Shift+click select, wheel and scroll bar scroll; a click on a
 /// header opens or closes the group; the right button opens the menu of the scenario. Keys: Up,
 /// Down, Page Up, Page Down, Home, End move to a scenario and select it, with Shift the range up to
 /// it, with Ctrl without selecting; Space toggles the selection (on a header: the group), Left and
-/// Right close and open the group, Ctrl+A selects all, Escape none.
+/// Right close and open the group, Ctrl+A selects all, Escape none. In a grid, Left and Right move
+/// too, unless they close or open the group on whose header they are.
 ///
 /// Parts: "row 3" (index in the view, from 0) and "group 2", which scroll into view when queried.
 class ListRows : public Table {
  public:
   ListRows(nanogui::Widget* parent, Studio& studio)
-      : Table(parent, "rows", {0, kLineHeights.scenario, 0}, Focus::OnPress),
+      : Table(parent, "rows", {0, kRowHeight, 0}, Focus::OnPress),
         studio_(studio),
         thumbnails_(studio.jobs(),
                     [this](const std::string& hash, const Thumbnail& thumbnail) {
                       pending_thumbnails_.emplace_back(hash, thumbnail);
                     }),
         // Remaining textures are deleted with NanoVG's context, which the window destroys.
-        textures_(kMaxTextures, [this](Texture& texture) {
+        textures_(0, [this](Texture& texture) {
           if (texture && context_ != nullptr) nvgDeleteImage(context_, *texture);
         }) {
     studio.events().observe({Change::Documents}, [this] { documents_changed(); });
@@ -119,15 +123,15 @@ class ListRows : public Table {
     if (group) return draw_group_header(ctx, rect, *group);
     const std::string& hash = document()->view().hashes[index];
     const bool selected = document()->is_selected(index), current = hash == document()->current();
-    draw::row(ctx, rect, index, selected, hovered() == line);
+    draw::row(ctx, rect, studio_.grid() ? 0 : index, selected, hovered() == line);
     if (current) draw::fill(ctx, {rect.left, rect.top, 3, rect.height}, colors.accent);
     if (current && focused() && !focused_group_) draw::frame(ctx, rect, colors.accent);
-    draw_thumbnail(ctx, {rect.left + kRowMargin, rect.top + 5, kThumbnailSize, kThumbnailSize},
-                   hash);
     const ListRow* row = document()->row(hash);
+    if (studio_.grid()) return draw_cell(ctx, rect, hash, row != nullptr ? row->entry.name : "");
+    draw_thumbnail(ctx, {rect.left + kRowMargin, rect.top + 5, kRowPicture, kRowPicture}, hash);
     if (row == nullptr) return;
     const Color ink = selected ? colors.text : colors.faint_text;
-    const double left = kRowMargin + kThumbnailSize + 8, right = rect.width - kRowMargin;
+    const double left = kRowMargin + kRowPicture + 8, right = rect.width - kRowMargin;
     const ScreenRect upper{left, rect.top + 6, right - left, 22};
     draw::text(ctx, upper, row->entry.name, colors.text, draw::kTextSize, draw::Align::Left,
                current);
@@ -144,14 +148,27 @@ class ListRows : public Table {
     if (!row->entry.tags.empty()) more += "  " + join(row->entry.tags, ", ");
     draw::text(ctx, {left, rect.top + 29, text_width, 20}, more, ink, draw::kSmallTextSize);
   }
-  double top_of(std::size_t line) const override { return lines().top_of(line, kLineHeights); }
-  std::size_t row_at_offset(double y) const override { return lines().line_at(y, kLineHeights); }
+  double row_height() const override { return layout().scenario; }
+  double content_height() const override { return lines().height(layout()); }
+  Place place_of(std::size_t line) const override {
+    const ListLines::Place place = lines().place_of(line, layout());
+    return {place.top, place.height, place.column, place.columns};
+  }
+  std::size_t row_at_offset(double y) const override { return lines().line_at(y, layout()); }
+  std::size_t row_below(std::size_t line, int rows) const override {
+    return lines().line_below(line, rows, layout().across);
+  }
   void paint(NVGcontext* ctx) override {
+    choose_picture_size();
     upload_thumbnails(ctx);
     missing_thumbnails_.clear();
+    keep_place();
     if (row_count() > 0 && scrolled_to_ != document()->current()) scroll_to_current();
+    painted_ = visible_rows();
+    reserve_textures();
     Table::paint(ctx);
-    if (document() != nullptr) thumbnails_.request(document()->path(), missing_thumbnails_);
+    if (document() != nullptr)
+      thumbnails_.request(document()->path(), missing_thumbnails_, picture_size_);
   }
   void hover(const std::optional<Point>& at) override {
     Table::hover(at);
@@ -161,7 +178,10 @@ class ListRows : public Table {
         item.group ? nullptr : document()->row(document()->view().hashes[item.index]);
     const bool has_reason =
         row != nullptr && row->outcomes.empty() && row->value && row->value->is_na();
-    setTooltip(has_reason ? "NA: " + row->value->reason() : "");
+    if (studio_.grid() && row != nullptr)
+      setTooltip(describe(*row));
+    else
+      setTooltip(has_reason ? "NA: " + row->value->reason() : "");
   }
   /// The right button selects the row, unless it is one of several that are selected.
   bool mouseButtonEvent(const nanogui::Vector2i& p, int button, bool down, int modifiers) override {
@@ -180,8 +200,16 @@ class ListRows : public Table {
     if (focused_group_ && *focused_group_ >= document()->view().groups.size())
       focused_group_.reset();
     const auto index = document()->view().index_of(document()->current());
-    if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT)
-      return set_group_closed(key == GLFW_KEY_LEFT);
+    if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT) {
+      const bool left = key == GLFW_KEY_LEFT;
+      const std::size_t now = cursor(), last = row_count() - 1;
+      const auto header = lines().at(now).group;
+      if (layout().across == 1 || (header && lines().is_closed(*header) != left))
+        return set_group_closed(left);
+      return move_cursor(left ? now - std::min<std::size_t>(now, 1) : std::min(now + 1, last),
+                         modifiers),
+             true;
+    }
     if (key == GLFW_KEY_A && (modifiers & GLFW_MOD_CONTROL) != 0)
       return document()->select_all(), true;
     if (key == GLFW_KEY_ESCAPE && document()->selected_count() > 0)
@@ -195,11 +223,42 @@ class ListRows : public Table {
   }
 
  private:
-  static constexpr ListLines::Heights kLineHeights{56, 28};  ///< pixels
   using Texture = std::optional<int>;  ///< NanoVG handle; none if it cannot be drawn
   ListDocument* document() const { return studio_.active(); }
   const ListLines& lines() const { return document()->lines(); }
+  /// Cells of the grid are as wide as fills the width beside the scroll bar.
+  ListLines::Layout layout() const {
+    if (!studio_.grid()) return {kRowHeight, kHeaderHeight, 1};
+    const double available = width() - Scroll::kBarWidth;
+    const double across = std::max(std::floor(available / kMinCellWidth), 1.0);
+    const double side = std::floor(std::max(available, kMinCellWidth) / across) - 2 * kRowMargin;
+    return {kRowMargin + side + kNameHeight, kHeaderHeight, static_cast<std::size_t>(across)};
+  }
+  /// Keeps what is seen when the number of columns changes: the first row, and the cursor.
+  void keep_place() {
+    const ListLines::Layout now = layout();
+    if (now.across == painted_layout_.across && now.scenario == painted_layout_.scenario) return;
+    painted_layout_ = now;
+    if (painted_.empty() || painted_.back() >= row_count()) return;
+    put_on_top(painted_.front());
+    if (std::find(painted_.begin(), painted_.end(), cursor()) != painted_.end())
+      bring_into_view(cursor());
+  }
+  /// Textures for the grid are larger, and those for screens with more pixels.
+  void choose_picture_size() {
+    const int size = (studio_.grid() ? kGridPicture : kThumbnailSize) *
+                     static_cast<int>(std::ceil(std::max(screen()->pixelRatio(), 1.0F)));
+    if (size == picture_size_) return;
+    picture_size_ = size;
+    textures_.clear();
+  }
+  /// At least for what is seen, which would otherwise be drawn again and again.
+  void reserve_textures() {
+    const auto bytes = 4 * static_cast<std::size_t>(picture_size_ * picture_size_);
+    textures_.set_capacity(std::max(kTextureMemory / bytes, painted_.size()));
+  }
   void documents_changed() {
+    painted_.clear();
     scroll_to_top();
     clear_hovered();
     focused_group_.reset();
@@ -237,18 +296,22 @@ class ListRows : public Table {
     if (closed) focused_group_ = group;
     return true;
   }
+  /// Name, id, tags and sort value.
+  std::string describe(const ListRow& row) const {
+    std::string text = row.entry.name + ", " + row.entry.id;
+    if (!row.entry.tags.empty()) text += ", tags " + join(row.entry.tags, " ");
+    const std::string& sort = document()->request().sort;
+    if (!sort.empty() && sort != "name") {
+      text += ", " + sort + " " + value_text(row, document()->sort_unit());
+      if (row.outcomes.empty() && row.value && row.value->is_na())
+        text += " (" + row.value->reason() + ")";
+    }
+    return text;
+  }
   std::string row_text(std::size_t index) const {
     const ListRow* row = document()->row(document()->view().hashes[index]);
     if (row == nullptr) return "";
-    std::string text =
-        "row " + std::to_string(index) + ": " + row->entry.name + ", " + row->entry.id;
-    if (!row->entry.tags.empty()) text += ", tags " + join(row->entry.tags, " ");
-    const std::string& sort = document()->request().sort;
-    if (!sort.empty() && sort != "name") {
-      text += ", " + sort + " " + value_text(*row, document()->sort_unit());
-      if (row->outcomes.empty() && row->value && row->value->is_na())
-        text += " (" + row->value->reason() + ")";
-    }
+    std::string text = "row " + std::to_string(index) + ": " + describe(*row);
     if (document()->view().hashes[index] == document()->current()) text += ", current";
     if (document()->is_selected(index)) text += ", selected";
     return text;
@@ -256,6 +319,7 @@ class ListRows : public Table {
   void upload_thumbnails(NVGcontext* ctx) {
     context_ = ctx;
     for (const auto& [hash, thumbnail] : pending_thumbnails_) {
+      if (thumbnail.size > 0 && thumbnail.size != picture_size_) continue;  // requested before
       Texture texture;
       if (thumbnail.size > 0)
         texture = nvgCreateImageRGBA(ctx, thumbnail.size, thumbnail.size, 0, thumbnail.rgba.data());
@@ -282,6 +346,15 @@ class ListRows : public Table {
     draw::text(ctx, {rect.width - count_width - 10, rect.top, count_width + 1, rect.height}, count,
                colors.faint_text, draw::kTextSize, draw::Align::Right, true);
   }
+  void draw_cell(NVGcontext* ctx, const ScreenRect& rect, const std::string& hash,
+                 const std::string& name) {
+    const double side = rect.height - kNameHeight - kRowMargin;
+    const double left = std::round(rect.center().x - side / 2);
+    draw_thumbnail(ctx, {left, rect.top + kRowMargin, side, side}, hash);
+    draw::text(ctx, {rect.left + 4, rect.bottom() - kNameHeight, rect.width - 8, kNameHeight}, name,
+               palette().text, draw::kSmallTextSize, draw::Align::Center,
+               hash == document()->current());
+  }
   void draw_thumbnail(NVGcontext* ctx, const ScreenRect& rect, const std::string& hash) {
     const Texture* texture = textures_.find(hash);
     if (texture == nullptr) missing_thumbnails_.push_back(hash);
@@ -297,9 +370,12 @@ class ListRows : public Table {
   std::optional<std::size_t> focused_group_;  ///< the group header with the cursor, if any
   std::string scrolled_to_;                   ///< the scenario last scrolled to
   NVGcontext* context_ = nullptr;
+  int picture_size_ = kThumbnailSize;  ///< of textures, pixels
   LruCache<Texture> textures_;
   std::vector<std::pair<std::string, Thumbnail>> pending_thumbnails_;  ///< not yet textures
   std::vector<std::string> missing_thumbnails_;
+  ListLines::Layout painted_layout_{kRowHeight, kHeaderHeight, 1};
+  std::vector<std::size_t> painted_;  ///< lines
 };
 
 }  // namespace

@@ -71,8 +71,17 @@ ScreenRect Table::view() const {
 
 void Table::update_scroll() const {
   ScreenRect shown = view();
-  shown.height = std::max(shown.height, heights_.row);
-  scroll_.set(row_count() == 0 ? 0 : top_of(rows_per_column()), shown);
+  shown.height = std::max(shown.height, row_height());
+  scroll_.set(row_count() == 0 ? 0 : content_height(), shown);
+}
+
+double Table::content_height() const {
+  return heights_.row * static_cast<double>(rows_per_column());
+}
+
+Table::Place Table::place_of(std::size_t row) const {
+  return {heights_.row * static_cast<double>(row % rows_per_column()), heights_.row,
+          row / rows_per_column(), columns()};
 }
 
 std::size_t Table::row_at_offset(double y) const {
@@ -82,11 +91,10 @@ std::size_t Table::row_at_offset(double y) const {
 
 ScreenRect Table::row_rect(std::size_t row) const {
   const double bar = scroll_.thumb() ? Scroll::kBarWidth : 0;
-  const double wide = (width() - bar) / static_cast<double>(columns());
-  const std::size_t column = row / rows_per_column(), index = row % rows_per_column();
-  const double top = top_of(index);
-  return {static_cast<double>(column) * wide, heights_.header + std::round(top - scroll_.offset()),
-          wide, top_of(index + 1) - top};
+  const Place place = place_of(row);
+  const double wide = (width() - bar) / static_cast<double>(place.columns);
+  return {static_cast<double>(place.column) * wide,
+          heights_.header + std::round(place.top - scroll_.offset()), wide, place.height};
 }
 
 std::optional<ScreenRect> Table::rect_of(const std::string& part) const {
@@ -96,9 +104,19 @@ std::optional<ScreenRect> Table::rect_of(const std::string& part) const {
 
 ScreenRect Table::bring_into_view(std::size_t row) const {
   update_scroll();
-  const std::size_t index = row % rows_per_column();
-  scroll_.show(top_of(index), top_of(index + 1));
+  const Place place = place_of(row);
+  scroll_.show(place.top, place.top + place.height);
   return row_rect(row);
+}
+
+void Table::put_on_top(std::size_t row) {
+  update_scroll();
+  scroll_.to(place_of(row).top);
+}
+
+std::size_t Table::row_below(std::size_t row, int steps) const {
+  const auto to = static_cast<std::ptrdiff_t>(row) + steps;
+  return std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(to, 0)), row_count() - 1);
 }
 
 std::vector<std::size_t> Table::visible_rows() const {
@@ -151,18 +169,20 @@ bool Table::wheel(const Point& at, double steps) {
 bool Table::key(int key, int modifiers) {
   if (row_count() == 0) return false;
   const std::size_t last = row_count() - 1, now = std::min(cursor(), last);
-  const auto page = static_cast<std::size_t>(std::max(view().height / heights_.row - 1, 1.0));
-  const auto go_to = [&](std::size_t row) {
-    hovered_.reset();
-    set_cursor(row, modifiers);
-    bring_into_view(row);
-  };
-  return run_key(key, {{{GLFW_KEY_UP}, [&] { go_to(now - std::min<std::size_t>(now, 1)); }},
-                       {{GLFW_KEY_DOWN}, [&] { go_to(std::min(now + 1, last)); }},
-                       {{GLFW_KEY_PAGE_UP}, [&] { go_to(now - std::min(now, page)); }},
-                       {{GLFW_KEY_PAGE_DOWN}, [&] { go_to(std::min(now + page, last)); }},
+  const auto page = static_cast<int>(std::max(view().height / row_height() - 1, 1.0));
+  const auto go_to = [&](std::size_t row) { move_cursor(row, modifiers); };
+  return run_key(key, {{{GLFW_KEY_UP}, [&] { go_to(row_below(now, -1)); }},
+                       {{GLFW_KEY_DOWN}, [&] { go_to(row_below(now, 1)); }},
+                       {{GLFW_KEY_PAGE_UP}, [&] { go_to(row_below(now, -page)); }},
+                       {{GLFW_KEY_PAGE_DOWN}, [&] { go_to(row_below(now, page)); }},
                        {{GLFW_KEY_HOME}, [&] { go_to(0); }},
                        {{GLFW_KEY_END}, [&] { go_to(last); }}});
+}
+
+void Table::move_cursor(std::size_t row, int modifiers) {
+  hovered_.reset();
+  set_cursor(row, modifiers);
+  bring_into_view(row);
 }
 
 }  // namespace slalom

@@ -55,15 +55,24 @@ class Table : public Element {
   virtual void paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) = 0;
   virtual void paint_frame(NVGcontext*) const {}  ///< header and footer
 
-  // For rows of different heights: offsets (pixels) in a column of rows.
-  virtual double top_of(std::size_t row) const { return heights_.row * static_cast<double>(row); }
-  virtual std::size_t row_at_offset(double y) const;  ///< clamped to the rows
+  /// A part of the width: column 0 of 3 is the left third.
+  struct Place {
+    double top, height;  ///< pixels, in the content
+    std::size_t column, columns;
+  };
+  // For rows of other heights, or several side by side. Rows are in order of their tops.
+  virtual double content_height() const;  ///< pixels; requires rows
+  virtual Place place_of(std::size_t row) const;
+  virtual std::size_t row_at_offset(double y) const;  ///< the first there, clamped to the rows
+  virtual std::size_t row_below(std::size_t row, int steps) const;  ///< clamped to the rows
+  virtual double row_height() const { return heights_.row; }
 
   const Heights& heights() const { return heights_; }
   void set_footer(double height) { heights_.footer = height; }
   const std::optional<std::size_t>& hovered() const { return hovered_; }
   void clear_hovered() { hovered_.reset(); }
   void scroll_to_top() { scroll_ = {}; }
+  void put_on_top(std::size_t row);  ///< requires row < row_count()
   /// Scrolls to the row and returns its rectangle; requires row < row_count().
   ScreenRect bring_into_view(std::size_t row) const;
   std::vector<std::size_t> visible_rows() const;
@@ -76,6 +85,8 @@ class Table : public Element {
   void hover(const std::optional<Point>& at) override;
   bool wheel(const Point& at, double steps) override;
   bool key(int key, int modifiers) override;
+  /// Moves the cursor to a row and into view.
+  void move_cursor(std::size_t row, int modifiers);
 
  private:
   std::size_t rows_per_column() const;

@@ -50,6 +50,30 @@ Action coloring_action(Studio& studio, RunColoring coloring) {
           [&studio, coloring] { return studio.results().overlay().coloring() == coloring; }};
 }
 
+Action grid_action(Studio& studio) {
+  return {"view.grid",
+          "View",
+          "Grid of pictures",
+          "",
+          "Shows the scenarios of the list as larger pictures side by side.",
+          [&studio] { studio.grid() = !studio.grid(); },
+          {},
+          {},
+          [&studio] { return studio.grid(); }};
+}
+
+Action theme_action(std::function<void()> change) {
+  return {"view.light_theme",
+          "View",
+          "Light theme",
+          "",
+          "Dark text on light panels, for bright rooms and pictures in print.",
+          std::move(change),
+          {},
+          {},
+          [] { return theme_in_use() == Theme::Light; }};
+}
+
 Action tool_action(ScenarioView& view, const EditToolInfo& info) {
   return {"tool." + info.id,
           "Tools",
@@ -74,6 +98,7 @@ StudioWindow::StudioWindow(SceneSettings scene, const StudioSettings& settings,
       settings_(settings) {
   make_elements();
   studio().recent() = settings.recent;
+  studio().grid() = settings.grid;
   show_theme(settings.theme);
   view_->set_legend_open(settings.legend);
   show_layers(settings.layers);
@@ -285,6 +310,7 @@ StudioSettings StudioWindow::settings() const {
   now.theme = theme_in_use();
   now.legend = view_->legend_open();
   now.recent = studio().recent();
+  now.grid = studio().grid();
   now.layers.clear();
   for (const auto& layer : view_->layers())
     if (layer.on) now.layers += (now.layers.empty() ? "" : ",") + layer.id;
@@ -307,6 +333,7 @@ void StudioWindow::add_view_actions() {
                 "Zooms about the center of the view.", [&view] { view.zoom(1.25); }});
   actions_.add({"view.zoom_out", "View", "Zoom out", "Ctrl+Minus",
                 "Zooms about the center of the view.", [&view] { view.zoom(0.8); }});
+  actions_.add(grid_action(studio()));
   actions_.add({"view.legend",
                 "View",
                 "Legend",
@@ -316,15 +343,8 @@ void StudioWindow::add_view_actions() {
                 {},
                 {},
                 [&view] { return view.legend_open(); }});
-  actions_.add({"view.light_theme",
-                "View",
-                "Light theme",
-                "",
-                "Dark text on light panels, for bright rooms and pictures in print.",
-                [this] { show_theme(theme_in_use() == Theme::Dark ? Theme::Light : Theme::Dark); },
-                {},
-                {},
-                [] { return theme_in_use() == Theme::Light; }});
+  actions_.add(theme_action(
+      [this] { show_theme(theme_in_use() == Theme::Dark ? Theme::Light : Theme::Dark); }));
   actions_.add({"view.scenario", "View", "Show scenario", "",
                 "Moves the focus to the current scenario and fits it to the view.",
                 [&view] {

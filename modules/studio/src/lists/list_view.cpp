@@ -118,6 +118,11 @@ bool lacks_value(const ScenarioList& list, const std::string& hash,
   return std::find(missing.begin(), missing.end(), hash) != missing.end();
 }
 
+double height_of_rows(std::size_t scenarios, const ListLines::Layout& layout) {
+  const std::size_t rows = (scenarios + layout.across - 1) / layout.across;
+  return static_cast<double>(rows) * layout.scenario;
+}
+
 }  // namespace
 
 std::optional<std::size_t> ListView::index_of(const std::string& hash) const {
@@ -175,17 +180,22 @@ ListLines::ListLines(std::size_t scenarios, const std::vector<ListGroup>& groups
   for (const ListGroup& group : groups) {
     const bool closed = closed_titles.count(group.title) > 0;
     groups_.push_back({size_, group.first, group.count, closed});
-    size_ += 1 + (closed ? 0 : group.count);
+    size_ += 1 + groups_.back().shown();
   }
   if (groups.empty()) size_ = scenarios;
 }
 
-ListLines::Line ListLines::at(std::size_t line) const {
-  if (groups_.empty()) return {std::nullopt, line};
+std::size_t ListLines::group_at(std::size_t line) const {
   const auto after = std::upper_bound(groups_.begin(), groups_.end(), line,
                                       [](std::size_t l, const Group& g) { return l < g.header; });
-  const Group& group = *(after - 1);
-  if (line == group.header) return {static_cast<std::size_t>(after - 1 - groups_.begin()), 0};
+  return static_cast<std::size_t>(after - 1 - groups_.begin());
+}
+
+ListLines::Line ListLines::at(std::size_t line) const {
+  if (groups_.empty()) return {std::nullopt, line};
+  const std::size_t number = group_at(line);
+  const Group& group = groups_[number];
+  if (line == group.header) return {number, 0};
   return {std::nullopt, group.first + (line - group.header - 1)};
 }
 
@@ -205,21 +215,58 @@ std::optional<std::size_t> ListLines::line_of(std::size_t index) const {
   return group.header + 1 + (index - group.first);
 }
 
-double ListLines::top_of(std::size_t line, const Heights& heights) const {
-  const auto after = std::lower_bound(groups_.begin(), groups_.end(), line,
-                                      [](const Group& g, std::size_t l) { return g.header < l; });
-  const auto headers = static_cast<std::size_t>(after - groups_.begin());
-  return static_cast<double>(headers) * heights.group +
-         static_cast<double>(line - headers) * heights.scenario;
+double ListLines::height_of_groups(std::size_t count, const Layout& layout) const {
+  double height = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    height += layout.group + height_of_rows(groups_[i].shown(), layout);
+  return height;
 }
 
-std::size_t ListLines::line_at(double y, const Heights& heights) const {
+double ListLines::height(const Layout& layout) const {
+  return groups_.empty() ? height_of_rows(size_, layout) : height_of_groups(groups_.size(), layout);
+}
+
+ListLines::Block ListLines::block_of(std::size_t line) const {
+  if (groups_.empty()) return {0, size_};
+  const Group& group = groups_[group_at(line)];
+  if (line == group.header) return {line, line + 1};
+  return {group.header + 1, group.header + 1 + group.count};
+}
+
+ListLines::Place ListLines::place_of(std::size_t line, const Layout& layout) const {
+  const std::size_t group = groups_.empty() ? 0 : group_at(line);
+  const double top = height_of_groups(group, layout);
+  if (at(line).group) return {top, layout.group, 0, 1};
+  const std::size_t cell = line - block_of(line).first, row = cell / layout.across;
+  return {top + (groups_.empty() ? 0 : layout.group) + static_cast<double>(row) * layout.scenario,
+          layout.scenario, cell % layout.across, layout.across};
+}
+
+std::size_t ListLines::line_at(double y, const Layout& layout) const {
   std::size_t low = 0, high = size_;
   while (low + 1 < high) {
     const std::size_t middle = low + (high - low) / 2;
-    (top_of(middle, heights) <= y ? low : high) = middle;
+    (place_of(middle, layout).top <= y ? low : high) = middle;
   }
-  return low;
+  return low - place_of(low, layout).column;
+}
+
+std::size_t ListLines::line_below(std::size_t line, int rows, std::size_t across) const {
+  for (; rows > 0; --rows) {
+    const auto [first, end] = block_of(line);
+    if ((line - first) / across < (end - 1 - first) / across)
+      line = std::min(line + across, end - 1);
+    else if (end < size_)
+      line = end;
+  }
+  for (; rows < 0; ++rows) {
+    const std::size_t first = block_of(line).first;
+    if (line - first >= across)
+      line -= across;
+    else if (first > 0)
+      line = first - 1 - (first - 1 - block_of(first - 1).first) % across;
+  }
+  return line;
 }
 
 void ListColumn::add(const std::optional<Value>& value) {

@@ -17,8 +17,8 @@ namespace {
 using mrpt::math::TPoint2D;
 
 constexpr double kCellsPerPixel = 2;
-constexpr double kMaxCells = 100000;  // along a side
-constexpr double kDiscRadius = 3.5;   // pixels
+constexpr double kMaxCells = 100000;                        // along a side
+constexpr double kDiscRadius = 3.5, kMinMoverRadius = 1.5;  // pixels of kThumbnailSize
 
 struct Cells {
   int first, end;
@@ -70,8 +70,12 @@ class Canvas {
       }
   }
 
+  void draw_disc(const TPoint2D& at, const Color& color) {
+    draw_disc(at, color, enlarged(kDiscRadius));
+  }
+
   /// `radius` in pixels.
-  void draw_disc(const TPoint2D& at, const Color& color, double radius = kDiscRadius) {
+  void draw_disc(const TPoint2D& at, const Color& color, double radius) {
     const TPoint2D c = pixel_of(at);
     for (int y = 0; y < size_; ++y)
       for (int x = 0; x < size_; ++x)
@@ -80,18 +84,17 @@ class Canvas {
 
   /// `radius` in m, enlarged if it could not be seen.
   void draw_moving(const TPoint2D& at, double radius, const Color& color) {
-    constexpr double kMinRadius = 1.5;  // pixels
-    draw_disc(at, color, std::max(scale_ * radius, kMinRadius));
+    draw_disc(at, color, std::max(scale_ * radius, enlarged(kMinMoverRadius)));
   }
 
   /// A line from the center of a disc to 2.2 times its radius.
   void draw_heading(const TPoint2D& at, double angle, const Color& color) {
     const TPoint2D c = pixel_of(at);
-    const TPoint2D tip(c.x + 2.2 * kDiscRadius * math::cos(angle),
-                       c.y - 2.2 * kDiscRadius * math::sin(angle));
+    const double length = 2.2 * enlarged(kDiscRadius);
+    const TPoint2D tip(c.x + length * math::cos(angle), c.y - length * math::sin(angle));
     for (int y = 0; y < size_; ++y)
       for (int x = 0; x < size_; ++x)
-        set(x, y, color, 1.3 - distance_to_segment({x + 0.5, y + 0.5}, c, tip));
+        set(x, y, color, enlarged(0.8) + 0.5 - distance_to_segment({x + 0.5, y + 0.5}, c, tip));
   }
 
   Thumbnail take() { return {size_, std::move(rgba_)}; }
@@ -105,6 +108,9 @@ class Canvas {
         static_cast<double>(occupied) / ((up.end - up.first) * (across.end - across.first));
     return occupied == 0 ? 0 : 0.5 + 0.5 * mean;
   }
+
+  /// Keeps symbols in proportion to the image.
+  double enlarged(double pixels) const { return pixels * size_ / kThumbnailSize; }
 
   TPoint2D pixel_of(const TPoint2D& p) const {
     return {left_ + (p.x - bounds_.x_min) / bounds_.width() * width_,
@@ -138,14 +144,14 @@ using Batch = std::vector<std::pair<std::string, Thumbnail>>;
 
 /// Runs in a worker thread. Unreadable scenarios get an empty thumbnail, so that they are not
 /// requested again.
-Batch make_thumbnails(const std::string& path, const std::vector<std::string>& hashes,
+Batch make_thumbnails(const std::string& path, const std::vector<std::string>& hashes, int size,
                       Progress& progress) {
   Batch batch;
   progress.start("Drawing thumbnails", hashes.size());
   const ScenarioList list = ScenarioList::open(path);
   for (const std::string& hash : hashes) {
     try {
-      batch.emplace_back(hash, make_thumbnail(list.read(hash)));
+      batch.emplace_back(hash, make_thumbnail(list.read(hash), size));
     } catch (const Error&) {
       batch.emplace_back(hash, Thumbnail{});
     }
@@ -174,8 +180,10 @@ Thumbnail make_thumbnail(const Scenario& scenario, int size) {
 ThumbnailMaker::ThumbnailMaker(Jobs& jobs, Ready ready)
     : jobs_(jobs), ready_(std::move(ready)), alive_(std::make_shared<ThumbnailMaker*>(this)) {}
 
-void ThumbnailMaker::request(const std::string& list_path, std::vector<std::string> hashes) {
+void ThumbnailMaker::request(const std::string& list_path, std::vector<std::string> hashes,
+                             int size) {
   path_ = list_path;
+  size_ = size;
   requested_ = std::move(hashes);
   if (!working_ && !requested_.empty()) work();
 }
@@ -199,8 +207,8 @@ void ThumbnailMaker::work() {
   };
   jobs_.start(
       "thumbnails", "Thumbnails",
-      [path = path_, now, deliver](Progress& progress) -> Jobs::Delivery {
-        auto batch = make_thumbnails(path, now, progress);
+      [path = path_, now, size = size_, deliver](Progress& progress) -> Jobs::Delivery {
+        auto batch = make_thumbnails(path, now, size, progress);
         return [batch = std::move(batch), deliver] { deliver(batch); };
       },
       [now, deliver](const std::string&) {  // the list cannot be opened

@@ -133,21 +133,40 @@ class ListLines {
   bool is_closed(std::size_t group) const { return groups_[group].closed; }
   std::optional<std::size_t> group_of(std::size_t index) const;  ///< none without groups
 
-  /// Line heights (pixels).
-  struct Heights {
+  /// Heights (pixels) of lines, and the number of scenarios side by side: 1 in a list, more in a
+  /// grid. A header has a row of its own.
+  struct Layout {
     double scenario, group;
+    std::size_t across = 1;
   };
-  /// Offset (pixels) of the top of a line; of size(): the total height.
-  double top_of(std::size_t line, const Heights& heights) const;
-  /// The line at offset `y`, clamped to the first and last line; requires size() > 0.
-  std::size_t line_at(double y, const Heights& heights) const;
+  /// A cell of a row that is divided into `columns` of equal width.
+  struct Place {
+    double top, height;  ///< pixels
+    std::size_t column, columns;
+  };
+  double height(const Layout& layout) const;                     ///< of all rows, pixels
+  Place place_of(std::size_t line, const Layout& layout) const;  ///< requires line < size()
+  /// The first line of the row at offset `y` (pixels), clamped to the rows; requires size() > 0.
+  std::size_t line_at(double y, const Layout& layout) const;
+  /// The line that is this number of rows below, above if negative, and in the same column where
+  /// the row has it; clamped to the rows. Requires line < size().
+  std::size_t line_below(std::size_t line, int rows, std::size_t across) const;
 
  private:
+  struct Block {
+    std::size_t first, end;  ///< lines
+  };
   struct Group {
     std::size_t header;        ///< line of the header
     std::size_t first, count;  ///< range of its scenarios in the view
     bool closed;
+    std::size_t shown() const { return closed ? 0 : count; }
   };
+  std::size_t group_at(std::size_t line) const;  ///< requires groups
+  double height_of_groups(std::size_t count, const Layout& layout) const;
+  /// The lines around a line that are divided into rows: a header, or the scenarios below one.
+  Block block_of(std::size_t line) const;
+
   std::vector<Group> groups_;
   std::size_t size_ = 0;
 };

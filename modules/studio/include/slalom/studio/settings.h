@@ -25,6 +25,7 @@ struct StudioSettings {
   int descriptors_height = 260;    ///< pixels
   int results_height = 220;        ///< pixels
   Theme theme = Theme::Dark;
+  bool grid = false;   ///< of pictures, in place of a list with texts
   bool legend = true;  ///< of the scenario view, whether it is open
   std::string layers = "obstacles,shortest,safest,scan,trajectories,start_goal";  ///< visible
   RecentFiles recent;

@@ -41,6 +41,10 @@ class Studio {
   void close_list(std::size_t index);
   void activate(std::size_t index);
 
+  /// Whether the list is a grid of pictures.
+  bool& grid() { return grid_; }
+  bool grid() const { return grid_; }
+
   RecentFiles& recent() { return recent_; }
   const RecentFiles& recent() const { return recent_; }
 
@@ -95,6 +99,7 @@ class Studio {
   std::vector<std::string> shown_ids_;
   RunChoice run_choice_;
   RecentFiles recent_;
+  bool grid_ = false;
   std::function<bool(std::size_t)> reveal_ = [](std::size_t) { return true; };
 };
 

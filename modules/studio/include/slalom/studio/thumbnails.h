@@ -24,10 +24,12 @@ struct Thumbnail {
   std::vector<std::uint8_t> rgba;
 };
 
+constexpr int kThumbnailSize = 64;  ///< pixels on each side
+
 /// Draws the scenario to scale with its start (a disc with its heading) and goal, on a transparent
 /// background. A pixel is darker the more of it is occupied, but thin walls stay visible. May run
 /// in any thread.
-Thumbnail make_thumbnail(const Scenario& scenario, int size = 64);
+Thumbnail make_thumbnail(const Scenario& scenario, int size = kThumbnailSize);
 
 /// A cache of up to `capacity` items by hash that evicts the least recently used one.
 template <typename T>
@@ -57,6 +59,8 @@ class LruCache {
       order_.pop_back();
     }
   }
+  /// Takes effect with the next put().
+  void set_capacity(std::size_t capacity) { capacity_ = capacity; }
   void clear() {
     for (auto& [hash, item] : order_)
       if (on_evict_) on_evict_(item);
@@ -82,7 +86,9 @@ class ThumbnailMaker {
   ThumbnailMaker(Jobs& jobs, Ready ready);
 
   /// Requests thumbnails for the visible scenarios without one, in place of earlier requests.
-  void request(const std::string& list_path, std::vector<std::string> hashes);
+  /// `size` as for make_thumbnail(); a batch that is being drawn may still have another one.
+  void request(const std::string& list_path, std::vector<std::string> hashes,
+               int size = kThumbnailSize);
 
   /// The number of requested thumbnails that are not ready.
   std::size_t pending_count() const { return requested_.size(); }
@@ -93,6 +99,7 @@ class ThumbnailMaker {
   Jobs& jobs_;
   Ready ready_;
   std::string path_;
+  int size_ = kThumbnailSize;
   std::vector<std::string> requested_;
   bool working_ = false;
   std::shared_ptr<ThumbnailMaker*> alive_;  ///< deliveries are dropped once it has expired
