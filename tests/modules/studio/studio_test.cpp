@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "error_text.h"
 #include "finish_jobs.h"
 #include "list_files.h"
 #include "results_sample.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 namespace slalom {
 namespace {
@@ -160,6 +162,22 @@ TEST_F(StudioWithoutWindow, RestoresWhatAnEarlierSessionDeleted) {
   form.accepted({{"scenarios", "all (3)"}});
   EXPECT_EQ(studio_.active()->view().total, 6U);
   EXPECT_NE(actions_.find("edit.restore").disabled_reason(), "");
+}
+
+TEST_F(StudioWithoutWindow, SaysThatACommaDividesTheNamesOfImportedFiles) {
+  const std::string file = folder_ / "hall, upper.pgm";
+  std::ofstream(file) << "P5";
+  open_files(studio_, {file});
+  const FormDescription form = studio_.events().take_form();
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, folder_ / "hall: does not exist",
+                           {"a comma in the name of a file divides it"}, [&] {
+                             form.accepted({{"files", file}});
+                           }));
+  const std::string one = error_text(ErrorKind::Usage, [&] {
+    form.accepted({{"files", "none.pgm"}});
+  });
+  EXPECT_TRUE(mentions(one, {"none.pgm: does not exist"}));
+  EXPECT_EQ(one.find("comma"), std::string::npos) << one;
 }
 
 TEST(StudioExport, ShowsWhatTheFormatCannotHold) {

@@ -104,9 +104,11 @@ FormDescription import_form(const StudioServices& services, const ListTarget& ta
 
 FileImport read_import(const StudioServices& services, const FormValues& values) {
   FileImport request;
-  for (const std::string& file : split(values.at("files"), ',')) {
+  const std::vector<std::string> files = split(values.at("files"), ',');
+  const std::string hint = files.size() > 1 ? "; a comma in the name of a file divides it" : "";
+  for (const std::string& file : files) {
     if (file.empty()) continue;
-    if (!fs::exists(file)) throw usage_error(file, "does not exist", "a file or folder");
+    if (!fs::exists(file)) throw usage_error(file, "does not exist", "a file or folder" + hint);
     request.files.push_back(file);
   }
   if (request.files.empty()) throw usage_error("files", "no file given", "one or more");
