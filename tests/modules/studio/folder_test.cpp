@@ -41,6 +41,8 @@ TEST_F(Folder, ListsItsParentThenFoldersThenFilesWithTheExtensions) {
             "../ barn/ linked/ maps/ a.results ");
   EXPECT_EQ(names_of(content_of_folder(folder_ / "", {""})),
             "../ barn/ linked/ maps/ a.results a.scenarios b.scenarios ");
+  EXPECT_EQ(names_of(content_of_folder(folder_ / "", {"/"})), "../ barn/ linked/ maps/ ")
+      << "no name of a file ends so";
   EXPECT_EQ(content_of_folder(folder_ / "", {""}).error, "");
   EXPECT_EQ(content_of_folder("", {}).entries.front().name, "..");
   for (const FolderEntry& entry : content_of_folder("/", {}).entries) EXPECT_NE(entry.name, "..");

@@ -35,7 +35,11 @@ class SearchFailures : public ListFiles {
     actions_.run("generate.search");
     FormDescription form = studio_.events().take_form();
     FormValues values;
-    for (const FormField& field : form.fields) values[field.key] = field.value;
+    for (const FormField& field : form.fields) {
+      values[field.key] = field.value;
+      const bool folders_only = field.extensions == std::vector<std::string>{"/"};
+      EXPECT_EQ(folders_only, field.key == "folder") << field.key;
+    }
     values["campaign"] = folder_ / campaign;
     values["method"] = "mine";
     form.accepted(values);

@@ -58,7 +58,11 @@ class ShrinkRun : public ListFiles {
     actions_.run("generate.shrink");
     FormDescription form = studio_.events().take_form();
     FormValues values;
-    for (const FormField& field : form.fields) values[field.key] = field.value;
+    for (const FormField& field : form.fields) {
+      values[field.key] = field.value;
+      const bool folders_only = field.extensions == std::vector<std::string>{"/"};
+      EXPECT_EQ(folders_only, field.key == "folder") << field.key;
+    }
     EXPECT_EQ(values["folder"], folder_ / ("shrunk_" + id_of("ptg", 1)));
     values["folder"] = folder_ / folder;
     form.accepted(values);

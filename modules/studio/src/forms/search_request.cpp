@@ -27,6 +27,7 @@ FormDescription search_form(const std::string& folder) {
                      "10",       "",         "stop after this many failures"};
   runs.range = failures.range = Range::between(1, 1e9);
   campaign.extensions = {".ini"};
+  target.extensions = {"/"};
   form.fields = {campaign,
                  {"method", "Method", FieldKind::Text, "", "", "of the campaign"},
                  target,

@@ -17,6 +17,7 @@ FormDescription shrink_form(const RunRecord& run, const std::string& folder) {
       "folder", "Folder", FieldKind::Text,
       folder,   "",       "new folder for the proof, a campaign that repeats it and a report"};
   target.wide = true;
+  target.extensions = {"/"};
   FormField witness{"witness", "Witness", FieldKind::Flag,
                     "true",    "",        "another method of the campaign must reach the goal"};
   FormField max_runs{"max_runs", "Maximum runs", FieldKind::Integer, "5000", "", "to shrink it"};

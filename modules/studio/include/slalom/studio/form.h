@@ -42,7 +42,8 @@ struct FormField {
   /// If set, the field is shown (and checked) only while the field of this key has this value, or
   /// has it among its chosen values.
   std::string shown_if_key = {}, shown_if_value = {};
-  /// For paths: the form offers folders, and the files whose names end in one of these; "" is any.
+  /// For paths: the form offers folders, and the files whose names end in one of these; "" is any,
+  /// "/" is none.
   std::vector<std::string> extensions = {};
   bool several = false;  ///< paths, comma separated; the form offers files for the last one
 };
