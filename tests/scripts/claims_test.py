@@ -97,6 +97,11 @@ class Claims(unittest.TestCase):
         self.assertGreaterEqual(len(CLAIMS), 15)
         listed = re.findall(r"^\| \[(\w+)\]\(\.\./configs/claims/\1\.ini\)", page, re.M)
         self.assertEqual(listed, [path.stem for path in CLAIMS])
+        found = [page.count(f"| **{one}") for one in ("confirmed**", "refuted", "undecided**")]
+        self.assertEqual(sum(found), len(CLAIMS))
+        for name in ("README.md", "docs/claims.md", "docs/validity.md"):
+            told = re.search(r"(\d+) are confirmed\D+(\d+) refuted\D+(\d+) undecided", (SOURCES / name).read_text())
+            self.assertEqual([int(one) for one in told.groups()], found, name)
         for path in CLAIMS:
             if "\nbarn " in path.read_text():
                 continue
