@@ -210,7 +210,7 @@ TEST_F(Bundles, CarryTheFilesOfTheirMethods) {
                              folder_ / "mine.so");
   write("small.ini", kSmallCampaign);
   const std::string campaign = "small.ini --set method.gap.plugin=./mine.so --quiet ";
-  ASSERT_EQ(run("slalom-evaluate " + campaign + "-o out --bundle a.slalom --with-sources").status,
+  ASSERT_EQ(run("slalom-evaluate " + campaign + "-o mine --bundle a.slalom --with-sources").status,
             0);
   const auto files = read_bundled_files(path("a.slalom"));
   ASSERT_EQ(files.size(), 1U);
@@ -232,8 +232,44 @@ TEST_F(Bundles, CarryTheFilesOfTheirMethods) {
   EXPECT_EQ(run("slalom-analyze dump again.results").out, run("slalom-analyze dump a.slalom").out);
 }
 
+TEST_F(Bundles, CarryTheFilesThatOptionsOfAPythonClassName) {
+  write(
+      "mine.py",
+      "class Mine:\n"
+      "    options = {'weights': ('', '-', 'of v and w')}\n"
+      "    def __init__(self, robot, options):\n"
+      "        self.v, self.w = (float(open(path).read()) for path in options.weights.split(','))\n"
+      "    def reset(self, task):\n"
+      "        pass\n"
+      "    def step(self, observation):\n"
+      "        return self.v, self.w\n");
+  std::filesystem::create_directory(folder_ / "nets");
+  write("nets/v.txt", "0.5");
+  write("w.txt", "0.1");
+  write("python.ini",
+        "[campaign]\nmethods = mine\n[scenarios]\ngenerator = random\ncount = 2\n[method.mine]\n"
+        "adapter = python\nmodule = mine.py\nclass = Mine\nweights = nets/v.txt,w.txt\n");
+  ASSERT_EQ(
+      run("slalom-evaluate python.ini -o mine --bundle a.slalom --with-sources --quiet").status, 0);
+  for (const char* file : {"mine.py", "nets/v.txt", "w.txt"})
+    std::filesystem::remove(folder_ / file);
+  const ProgramResult verified =
+      run("slalom-simulate verify a.slalom --trust --fraction 1 --quiet");
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  ASSERT_EQ(run("slalom-simulate unpack a.slalom -o there").status, 0);
+  const std::string again =
+      "slalom-simulate run there/campaign.ini --quiet -o again.results "
+      "--scenarios there/campaign.scenarios";
+  ASSERT_EQ(run(again).status, 0);
+  EXPECT_EQ(run("slalom-analyze dump again.results").out, run("slalom-analyze dump a.slalom").out);
+  expect_failure("slalom-simulate unpack a.slalom -o 'a #b'", 2, {"a #b: cannot be named", "#"});
+  // Another value is one, whatever the folders.
+  write("there/campaign.ini", read("there/campaign.ini") + "[robot]\nmax_v = 0.9\n");
+  EXPECT_EQ(run("slalom-simulate verify a.slalom -c there/campaign.ini --quiet").status, 1);
+}
+
 TEST_F(Bundles, CarryTheConfigurationsOfMrptsMethods) {
-  const std::string original = "/usr/share/mrpt/config_files/navigation-ptgs/reactive2d_config.ini";
+  const std::string original = SLALOM_SOURCE "/tests/adapters/mrpt_nav/small_navigator.ini";
   for (const char* adapter : {"mrpt_navigator", "mrpt_holonomic"}) {
     std::filesystem::copy_file(original, folder_ / "mine.ini");
     write("mrpt.ini",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify_plan.h"
 
+#include <slalom/app/adapters.h>
 #include <slalom/app/bundled_methods.h>
+#include <slalom/app/method_dependencies.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
@@ -45,6 +47,20 @@ fs::path place_of(const std::string& name, const std::string& bundle) {
   if (path.empty() || path.is_absolute() || *path.begin() == ".." || !path.has_filename())
     throw file_error(bundle, "contains a file '" + name + "' outside of its folder",
                      "a bundle written by Slalom");
+  return path;
+}
+
+/// An option that the method itself reads, which finds the file under its absolute path only.
+bool is_own_option(const IniFile& ini, const BundledName& name) {
+  return ini.get(name.section, name.option).has_value() &&
+         external_use(ini, name.section, name.option) == External::None;
+}
+
+/// Throws Error (Usage) for a folder that no option can name.
+std::string absolute_path(const std::string& folder, const fs::path& place) {
+  const std::string path = fs::absolute(folder / place).string();
+  if (!IniFile::can_hold(path))
+    throw usage_error(folder, "cannot be named in an .ini file", "a path without # and ;");
   return path;
 }
 
@@ -92,7 +108,10 @@ std::string unpack_methods(const std::string& bundle, const std::string& folder)
         place_of(is_option ? fs::path(value).filename().string() : name.needed, bundle);
     make_output_folder((folder / place).parent_path().string());
     write_file_atomically((folder / place).string(), file.content);
-    if (is_option) ini.set(name.section, name.option, place.string());
+    if (is_option)
+      ini.set(name.section, name.option, place.string());
+    else if (is_own_option(ini, name))
+      ini.set(name.section, name.option, with_named_file(value, absolute_path(folder, place)));
   }
   const std::string path = (fs::path(folder) / "campaign.ini").string();
   write_file_atomically(path, ini.canonical_text());

@@ -8,6 +8,7 @@
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -49,10 +50,13 @@ bool is_of_system(const fs::path& path) {
          is_below(program_folder());
 }
 
-/// The words of an option, also of a command line with quotes, assignments and several commands.
+/// Separators of the words of an option, also of a command line with quotes, assignments and
+/// several commands.
+constexpr const char* kSeparators = " '\"();&|<>=,";
+
 std::vector<std::string> words_of(std::string text) {
   for (char& c : text)
-    if (std::string("'\"();&|<>=,").find(c) != std::string::npos) c = ' ';
+    if (std::string(kSeparators).find(c) != std::string::npos) c = ' ';
   return split(text, ' ');
 }
 
@@ -205,6 +209,19 @@ std::map<std::string, std::string> dependencies_of_methods(
         option.add_named(find_named_file(is_command, word, folder));
     }
   return found;
+}
+
+std::string with_named_file(const std::string& text, const std::string& path) {
+  const fs::path name = fs::path(path).filename();
+  std::string replaced;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(kSeparators, at), text.size());
+    const std::string word = text.substr(at, end - at);
+    replaced += fs::path(word).filename() == name ? path : word;
+    if (end < text.size()) replaced += text[end];
+    at = end + 1;
+  }
+  return replaced;
 }
 
 }  // namespace slalom

@@ -2,6 +2,7 @@
 #include "manifest.h"
 #include "verify_plan.h"
 
+#include <slalom/app/method_dependencies.h>
 #include <slalom/app/testbeds.h>
 #include <slalom/campaign/shards.h>
 #include <slalom/commands/list_hash.h>
@@ -34,6 +35,21 @@ RunRecord run_of(const std::string& hash, const std::string& method, int repetit
 std::string difference_text(const IdentityDifference& difference) {
   return "its manifest states " + difference.key + " = " + difference.there +
          ", its campaign has " + difference.here;
+}
+
+/// Whether only the folders of the files differ that the option names; their hashes are compared.
+bool differs_in_folders(const IdentityDifference& difference, const Manifest& recorded) {
+  std::string here = difference.here, there = difference.there;
+  const std::string prefix = difference.key + "/";
+  for (auto file = recorded.lower_bound(prefix);
+       file != recorded.end() && starts_with(file->first, prefix); ++file) {
+    if (!is_method_file(file->first)) continue;
+    const std::string path = file->first.substr(0, file->first.rfind('_'));
+    const std::string name = path.substr(path.rfind('/') + 1);
+    here = with_named_file(here, name);
+    there = with_named_file(there, name);
+  }
+  return here == there;
 }
 
 }  // namespace
@@ -88,7 +104,7 @@ std::vector<std::string> statement_differences(const ResultFile& file,
   const auto parts = identity_parts(here), stated = identity_parts(recorded);
   for (const IdentityDifference& difference : identity_differences(here, recorded))
     if (is_compared(difference.key) && parts.count(difference.key) > 0 &&
-        stated.count(difference.key) > 0)
+        stated.count(difference.key) > 0 && !differs_in_folders(difference, recorded))
       differences.push_back(difference_text(difference));
   for (const char* key : {kPrivilegedKey, kKnownMapKey, "seed", "campaign"}) {
     const auto found = recorded.find(key);

@@ -114,6 +114,14 @@ std::optional<std::string> IniFile::get(const std::string& section, const std::s
   return entry == nullptr ? std::nullopt : std::make_optional(entry->value);
 }
 
+bool IniFile::can_hold(const std::string& value) {
+  try {
+    return from_text("[a]\nb = " + value).get("a", "b") == value;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 void IniFile::set(const std::string& section, const std::string& key, const std::string& value,
                   const std::string& origin) {
   const std::string position = origin + section + "." + key;

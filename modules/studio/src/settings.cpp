@@ -11,15 +11,6 @@ namespace {
 
 constexpr const char* kWindowSection = "window";
 
-/// Whether the value is read as it is written: signs of comments and definitions may change it.
-bool is_ini_value(const std::string& text) {
-  try {
-    return IniFile::from_text("[a]\nb = " + text).get("a", "b") == text;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 void remember_file(RecentFiles& files, const std::string& path) {
@@ -27,7 +18,7 @@ void remember_file(RecentFiles& files, const std::string& path) {
   if (file.extension() != ".scenarios" && file.extension() != ".results") return;
   std::error_code error;
   const std::string absolute = std::filesystem::absolute(file, error).lexically_normal().string();
-  if (error || !is_ini_value(absolute)) return;
+  if (error || !IniFile::can_hold(absolute)) return;
   auto* place = std::find(files.begin(), files.end(), absolute);
   if (place == files.end()) --place;
   std::rotate(files.begin(), place, place + 1);

@@ -133,6 +133,13 @@ TEST(IniFile, CanonicalTextDoesNotDependOnOrderAndReadsBack) {
   EXPECT_EQ(IniFile::from_text(a.canonical_text()).canonical_text(), a.canonical_text());
 }
 
+TEST(IniFile, KnowsWhatAValueCanHold) {
+  for (const char* value : {"", "a b", "/a,b/c=d", "a#b", "3 m"})
+    EXPECT_TRUE(IniFile::can_hold(value)) << value;
+  for (const char* value : {"a #b", "a ;b", "#", " a", "a\nb"})
+    EXPECT_FALSE(IniFile::can_hold(value)) << value;
+}
+
 TEST(IniFile, UnknownSectionsAreRefusedWithTheNearestName) {
   const IniFile ini = IniFile::from_text("[robto]\nradius = 1\n", "f.ini");
   EXPECT_TRUE(

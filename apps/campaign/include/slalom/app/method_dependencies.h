@@ -21,4 +21,7 @@ std::map<std::string, std::string> dependencies_of_methods(
     const IniFile& ini, const std::vector<std::string>& sections,
     const std::map<std::string, std::string>& files);
 
+/// The text of an option with `path` in place of the words that name a file of the same name.
+std::string with_named_file(const std::string& text, const std::string& path);
+
 }  // namespace slalom

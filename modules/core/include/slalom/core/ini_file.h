@@ -15,6 +15,9 @@ class IniFile {
   static IniFile load(const std::string& path);
   static IniFile from_text(const std::string& text, const std::string& name = "<text>");
 
+  /// Whether a value is read as it is written: signs of comments and definitions may change it.
+  static bool can_hold(const std::string& value);
+
   /// Applies "SECTION.KEY=VALUE" (the last dot before '=' separates section and key; of [tune] the
   /// first one). Throws Error (Usage) when the argument is not of that form.
   void override_key(const std::string& assignment);
