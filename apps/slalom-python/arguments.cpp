@@ -48,11 +48,6 @@ IniFile method_ini(const std::string& name, const py::handle& values) {
   return ini;
 }
 
-/// The class with the constructor and reset() that it leaves out.
-py::object complete_class(const py::object& type) {
-  return py::module_::import("slalom").attr("_complete")(type);
-}
-
 /// `filters` are the names of the filters that are around it.
 MethodFactory method_of(const py::dict& given, const std::string& name,
                         std::vector<std::string> filters = {}) {
@@ -71,9 +66,9 @@ MethodFactory method_of(const py::dict& given, const std::string& name,
   if (py::isinstance<py::tuple>(value) && py::len(value) == 2 &&
       py::isinstance<py::dict>(value.cast<py::tuple>()[1])) {
     const auto pair = value.cast<py::tuple>();
-    return python_method(complete_class(pair[0]), pair[1].cast<py::dict>(), where);
+    return python_method(pair[0], pair[1].cast<py::dict>(), where);
   }
-  return python_method(complete_class(value), py::dict(), where);
+  return python_method(value, py::dict(), where);
 }
 
 }  // namespace

@@ -313,7 +313,7 @@ class Package(unittest.TestCase):
             "unknown key; expected 'radius'": lambda: slalom.evaluate({"a": Direct}, small(1), robot={"raduis": 1}),
             "no method given": lambda: slalom.evaluate({}, small(1)),
             "no scenario given": lambda: slalom.evaluate({"a": Direct}, []),
-            "has no reset()": lambda: slalom.evaluate({"a": object}, small(1)),
+            "has no step()": lambda: slalom.evaluate({"a": object}, small(1)),
             "unknown option of the class; expected 'speed'": lambda: slalom.evaluate(
                 {"a": (Direct, {"sped": 1})}, small(1)
             ),

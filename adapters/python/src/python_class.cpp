@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <pybind11/eval.h>
 
 namespace slalom {
 namespace {
@@ -61,6 +62,36 @@ py::object convert(const Declaration& declaration, const py::object& value,
   return py::str(text);
 }
 
+/// Defines complete().
+constexpr const char* kComplete = R"(
+import copy
+
+def complete(method):
+    is_constructed = method.__init__ is not object.__init__
+    is_reset = hasattr(method, "reset")
+    if is_constructed and is_reset:
+        return method
+
+    class Complete(method):
+        def __init__(self, robot, options):
+            if is_constructed:
+                super().__init__(robot, copy.copy(options))
+            else:
+                self.robot, self.options = robot, options
+            self._made_of = robot, options
+
+    def reset(self, task):
+        robot, options = self._made_of
+        self.__dict__.clear()
+        self.__init__(robot, options)
+
+    if not is_reset:
+        Complete.reset = reset
+    for name in ("__name__", "__qualname__", "__module__", "__doc__"):
+        setattr(Complete, name, getattr(method, name))
+    return Complete
+)";
+
 }  // namespace
 
 py::module_ import_module(const std::string& path, const std::string& where) {
@@ -86,17 +117,20 @@ py::object find_class(const py::module_& module, const std::string& name,
     if (PyType_Check(value.ptr())) classes.push_back(py::str(key));
   if (!contains(classes, name))
     throw usage_error(where, "no class '" + name + "' in the module",
-                      expected_name(name, classes, "a class with reset() and step()"));
+                      expected_name(name, classes, "a class with step()"));
   return module.attr(name.c_str());
 }
 
-void check_class(const py::object& type, const std::string& where) {
-  for (const char* function : {"reset", "step"})
-    if (!py::hasattr(type, function) || PyCallable_Check(type.attr(function).ptr()) == 0)
-      throw usage_error(where,
-                        std::string(py::str(py::getattr(type, "__name__", py::str("object")))) +
-                            " has no " + function + "()",
-                        "a class with reset(task) and step(observation)");
+py::object complete_class(const py::object& type, const std::string& where) {
+  if (!py::hasattr(type, "step") || PyCallable_Check(type.attr("step").ptr()) == 0)
+    throw usage_error(
+        where,
+        std::string(py::str(py::getattr(type, "__name__", py::str("object")))) + " has no step()",
+        "a class with step(observation)");
+  if (PyType_Check(type.ptr()) == 0) return type;
+  py::dict scope;
+  py::exec(kComplete, scope);
+  return scope["complete"](type);
 }
 
 py::object make_class_options(const py::object& type, const py::dict& values,

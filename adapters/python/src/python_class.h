@@ -19,8 +19,10 @@ pybind11::module_ import_module(const std::string& path, const std::string& wher
 pybind11::object find_class(const pybind11::module_& module, const std::string& name,
                             const std::string& where);
 
-/// Throws Error (Usage) at `where` for a class without reset() or step().
-void check_class(const pybind11::object& type, const std::string& where);
+/// The class with what it leaves out: a constructor, which sets the attributes `robot` and
+/// `options`, and reset(), which constructs the object anew, so that no run depends on those
+/// before. Throws Error (Usage) at `where` for a class without step().
+pybind11::object complete_class(const pybind11::object& type, const std::string& where);
 
 /// An object with the options that the class declares as attributes: the given values, else the
 /// defaults. Texts are converted to the type of the default. Throws Error (Usage) for an option

@@ -223,9 +223,9 @@ std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation&
     throw usage_error(where(""), error.what());
   }
   const py::gil_scoped_acquire lock;
-  const py::object type =
-      find_class(import_module(path, where("module")), options.class_name, where("class"));
-  check_class(type, where("class"));
+  const py::object type = complete_class(
+      find_class(import_module(path, where("module")), options.class_name, where("class")),
+      where("class"));
   py::dict values;
   for (const auto& [key, text] : options.parameters) values[py::str(key)] = text;
   return create(type, make_class_options(type, values, where), where("class"), robot, sensor);
@@ -270,16 +270,16 @@ MethodFactory make_factory(const PythonOptions& options, const OptionLocation& w
 
 void PythonOptions::visit(OptionVisitor& v) {
   v.option("module", module, External::Code, "file of the Python module");
-  v.option("class", class_name, "class of the module, with reset() and step()");
+  v.option("class", class_name, "class of the module, with step()");
 }
 
 MethodFactory python_method(const PythonOptions& options) {
   return make_factory(options, location_of("python_method"));
 }
 
-MethodFactory python_method(const py::object& type, const py::dict& options,
+MethodFactory python_method(const py::object& given, const py::dict& options,
                             const std::string& where) {
-  check_class(type, where);
+  const py::object type = complete_class(given, where);
   const OptionLocation locate = [where](const std::string& key) { return where + " " + key; };
   const auto shared =
       std::make_shared<PythonClass>(type, make_class_options(type, options, locate), where);

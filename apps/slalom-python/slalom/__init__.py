@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import atexit
 import contextlib
-import copy
 import difflib
 import functools
 import importlib.util
@@ -542,33 +541,3 @@ def _find_plugin(library: str) -> str:
         if os.path.isfile(path):
             return path
     return library
-
-
-def _complete(method: Any) -> Any:
-    """The class with what it leaves out: a constructor, which sets `robot` and `options`, and
-    reset(), which constructs the object anew, so that no run depends on those before."""
-    if not isinstance(method, type) or not callable(getattr(method, "step", None)):
-        return method
-    is_constructed = method.__init__ is not object.__init__
-    is_reset = hasattr(method, "reset")
-    if is_constructed and is_reset:
-        return method
-
-    class Complete(method):  # type: ignore
-        def __init__(self, robot: Any, options: Any) -> None:
-            if is_constructed:
-                super().__init__(robot, copy.copy(options))
-            else:
-                self.robot, self.options = robot, options
-            self._made_of = robot, options
-
-    def reset(self: Any, task: Any) -> None:
-        robot, options = self._made_of
-        self.__dict__.clear()
-        self.__init__(robot, options)
-
-    if not is_reset:
-        setattr(Complete, "reset", reset)
-    for name in ("__name__", "__qualname__", "__module__", "__doc__"):
-        setattr(Complete, name, getattr(method, name))
-    return Complete

@@ -208,6 +208,18 @@ TEST(PythonMethod, CanBeCalledByAnyThread) {
   EXPECT_EQ(command, (Values{0.5, 0.25, 0}));
 }
 
+TEST(PythonMethod, NeedsNoMoreThanStep) {
+  RobotModel robot;
+  robot.max_v = 0.75;
+  const auto method = load(section_for("echo.py", "OnlyStep", "turn = 0.5\n"), robot);
+  const Values first = {0.75, 0.5, 0}, second = {0.75, 1, 0};
+  for (int run = 0; run < 2; ++run) {
+    method->reset({});  // forgets the steps of the run before
+    EXPECT_EQ(step(*method), first);
+    EXPECT_EQ(step(*method), second);
+  }
+}
+
 TEST(PythonMethod, IsRefusedWithoutAModuleThatCanBeImported) {
   EXPECT_TRUE(refuses("[method.a]\nadapter = python\n", "1: [method.a]", {"missing module"}));
   EXPECT_TRUE(refuses(section_for("none.py", "Echo"), "3: [method.a] module",

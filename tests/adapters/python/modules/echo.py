@@ -56,6 +56,15 @@ class Echo:
         }[options.answer]()
 
 
+class OnlyStep:
+    options = {"turn": (1.0, "rad/s", "more in each step")}
+    steps = 0
+
+    def step(self, o):
+        self.steps += 1
+        return self.robot.max_v, self.steps * self.options.turn
+
+
 class NoStep:
     def reset(self, task):
         pass
