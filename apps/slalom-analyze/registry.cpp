@@ -88,14 +88,17 @@ std::string settings_of(const ResultTable& runs, const std::string& path) {
   const IniFile ini = IniFile::from_text(text->second, path);
   IniFile defaults = campaign_ini(CampaignOptions(), "");
   write_options(defaults, "reference", OmplOptions(), "");
-  IniFile unused = IniFile::from_text("", "");
-  if (!has_method_failure(runs)) write_options(unused, "limits", LimitsSection(), "");
+  const std::vector<std::string> unused =
+      has_method_failure(runs)
+          ? std::vector<std::string>()
+          : std::vector<std::string>{"limits.run_wall_time", "limits.run_cpu_time",
+                                     "limits.memory_mb"};
   std::vector<std::string> settings;
   for (const std::string& section : ini.sections())
     for (const std::string& key : ini.keys(section)) {
       if (starts_with(section, "method.") || section == "analysis" || section == "metrics" ||
           section == "record" || (section == "campaign" && key != "repetitions") ||
-          unused.get(section, key))
+          contains(unused, section + "." + key))
         continue;
       const std::string value = ini.get(section, key).value_or("");
       if (value != defaults.get(section, key).value_or(""))

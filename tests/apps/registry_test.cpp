@@ -79,11 +79,12 @@ TEST_F(Registry, HasATableForEachSetOfScenariosAndSettings) {
   add_entry("late", "--set limits.cycle_deadline=10");
   add_entry("other", "--set campaign.seed=6");
   add_entry("patient", "--set limits.run_wall_time=900 --set limits.memory_mb=0");  // as "a"
+  add_entry("isolated", "--set limits.network=false");
   ASSERT_EQ(run("slalom-analyze registry entries -o site --no-reports").status, 0);
   std::vector<std::string> titles;
   const Json all = tables();
   for (const Json& table : all) titles.push_back(table["name"]);
-  ASSERT_EQ(titles.size(), 4U);
+  ASSERT_EQ(titles.size(), 5U);
   EXPECT_EQ(std::count_if(titles.begin(), titles.end(),
                           [](const std::string& title) {
                             return title.find(", 4 scenarios: robot.max_v = 1.5") !=
