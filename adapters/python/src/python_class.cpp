@@ -68,7 +68,7 @@ import copy
 
 def complete(method):
     is_constructed = method.__init__ is not object.__init__
-    is_reset = hasattr(method, "reset")
+    is_reset = callable(getattr(method, "reset", None))
     if is_constructed and is_reset:
         return method
 

@@ -207,8 +207,9 @@ std::unique_ptr<Method> create(const py::object& type, const py::object& options
     return std::make_unique<PythonMethod>(type(describe_robot(robot, sensor), options),
                                           class_option_ranges(type, options, where));
   } catch (const py::error_already_set& error) {
-    throw usage_error(where, std::string(py::str(type.attr("__name__"))) +
-                                 " cannot be created: " + describe(error));
+    throw usage_error(where,
+                      std::string(py::str(py::getattr(type, "__name__", py::str("object")))) +
+                          " cannot be created: " + describe(error));
   }
 }
 
