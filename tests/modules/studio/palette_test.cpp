@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/enum_names.h>
 #include <slalom/studio/palette.h>
 
 #include <gtest/gtest.h>
