@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the package FOLDER/slalom as a wheel (PEP 427, PEP 600):
+"""Writes the package FOLDER/slalom as a wheel (PEP 427, PEP 600), with its programs on PATH:
     scripts/wheel.py FOLDER VERSION GLIBC TIME OUT
 GLIBC is the number after "2." of the oldest glibc, TIME in s since 1970 that of all files, OUT a folder. Of scripts/wheel.sh.
 """
@@ -12,10 +12,18 @@ import sys
 import time
 import zipfile
 
+#: A program of the package on PATH; pip replaces the first line.
+PROGRAM = """#!python
+import runpy
+import sys
+
+sys.argv = ["-m", "{}", *sys.argv[1:]]
+runpy.run_module("slalom", run_name="__main__", alter_sys=True)
+"""
+
 
 def main(folder: str, version: str, glibc: str, seconds: str, out: str) -> None:
-    python = f"cp{sys.version_info[0]}{sys.version_info[1]}"
-    tag = f"{python}-{python}-manylinux_2_{glibc}_x86_64"
+    tag = f"py3-none-manylinux_2_{glibc}_x86_64"
     info = f"slalom-{version}.dist-info"
     record = []
     path = pathlib.Path(out) / f"slalom-{version}-{tag}.whl"
@@ -32,12 +40,15 @@ def main(folder: str, version: str, glibc: str, seconds: str, out: str) -> None:
             if file.is_file():
                 mode = 0o755 if os.access(file, os.X_OK) else 0o644
                 write(str(file.relative_to(folder)), file.read_bytes(), mode)
-        minor = sys.version_info[1]
+        for program in sorted(pathlib.Path(folder, "slalom/bundle/bin").iterdir()):
+            text = PROGRAM.format(program.name[len("slalom-") :])
+            write(f"slalom-{version}.data/scripts/{program.name}", text.encode(), 0o755)
         metadata = (
             f"Metadata-Version: 2.1\nName: slalom\nVersion: {version}\n"
             "Summary: Evaluation of obstacle avoidance methods for mobile robots\n"
             "License: BSD-3-Clause, and those in slalom/bundle/share/doc/slalom/licenses\n"
-            f"Requires-Python: >=3.{minor}, <3.{minor + 1}\nRequires-Dist: numpy\n"
+            "Requires-Python: >=3.8\n"
+            f"Requires-Dist: numpy; python_version == '{sys.version_info[0]}.{sys.version_info[1]}'\n"
         )
         write(f"{info}/METADATA", metadata.encode(), 0o644)
         write(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: slalom\nRoot-Is-Purelib: false\nTag: {tag}\n".encode(), 0o644)

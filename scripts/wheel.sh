@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Packs what scripts/archive.sh packs as a Python wheel, for the version of Python with which Slalom is built, as pybind11
-# has no stable ABI: scripts/wheel.sh
-# Writes build/release/slalom-VERSION-cpXY-cpXY-manylinux_2_Z_x86_64.whl; Z is of the glibc of this computer. Needs the
+# Packs what scripts/archive.sh packs as a Python wheel: scripts/wheel.sh
+# Its programs run from any Python; "import slalom" needs the version with which Slalom is built, as pybind11 has no stable
+# ABI. Writes build/release/slalom-VERSION-py3-none-manylinux_2_Z_x86_64.whl; Z is of the glibc of this computer. Needs the
 # package patchelf.
 set -euo pipefail
 cd "$(dirname "$0")/.." && source scripts/bundle.sh

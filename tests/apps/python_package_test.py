@@ -10,6 +10,7 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -575,22 +576,28 @@ class Stubs(unittest.TestCase):
 
 
 class Interpreters(unittest.TestCase):
-    def import_with(self, words, folder):
-        done = subprocess.run(
-            [sys.executable, *words, "-c", "import slalom"],
-            capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(folder)},
+    def run_with(self, words, folder):
+        return subprocess.run(
+            [sys.executable, *words], capture_output=True, text=True,
+            env={**os.environ, "PYTHONPATH": str(folder), "PATH": f"{PROGRAMS}:{os.environ['PATH']}"},
         )
+
+    def import_with(self, words, folder):
+        done = self.run_with([*words, "-c", "import slalom"], folder)
         return done.stderr.splitlines()[-1] if done.returncode else ""
 
-    def test_another_version_of_python_is_told_which_one_is_expected(self):
+    def test_another_version_of_python_is_told_which_one_is_expected_and_runs_programs(self):
         with tempfile.TemporaryDirectory() as folder:
             package = pathlib.Path(folder, "slalom")
             package.mkdir()
-            package.joinpath("__init__.py").write_text(pathlib.Path(slalom.__file__).read_text())
+            for name in ("__init__.py", "__main__.py"):
+                shutil.copy(pathlib.Path(slalom.__file__).with_name(name), package)
             package.joinpath("_slalom.cpython-32-x86_64-linux-gnu.so").touch()
             this = f"{sys.executable} is Python {sys.version_info[0]}.{sys.version_info[1]}"
             expected = f"ImportError: slalom: {this}; expected Python 3.2, for which Slalom was built"
             self.assertEqual(self.import_with([], folder), expected)
+            done = self.run_with(["-m", "slalom", "evaluate", "--version"], folder)
+            self.assertEqual((done.stdout, done.returncode), (f"slalom-evaluate {slalom.__version__}\n", 0), done.stderr)
 
     def test_a_python_without_numpy_is_told_so(self):
         folder = pathlib.Path(slalom.__file__).parents[1]

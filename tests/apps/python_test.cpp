@@ -130,6 +130,14 @@ TEST_F(PythonProgramTest, PackagesOfAnActivatedEnvironmentCanBeImported) {
   expect_outcome("method_error", "ModuleNotFoundError", runs("package", "", "-u VIRTUAL_ENV"));
 }
 
+TEST_F(PythonProgramTest, AnEnvironmentOfAnotherVersionIsNotUsedAndNamedWhereAModuleIsMissing) {
+  std::filesystem::create_directories(folder_ / "env/lib/python3.2/site-packages");
+  const std::string environment = "VIRTUAL_ENV=" + (folder_ / "env").string();
+  EXPECT_EQ(runs("none", "", environment), runs("none"));
+  expect_outcome("method_error", "/env, which was not used; expected an environment of Python 3.",
+                 runs("package", "", environment));
+}
+
 TEST_F(PythonProgramTest, AnotherModuleIsAnotherCampaign) {
   ASSERT_EQ(run("slalom-simulate run -c small.ini -o runs.results --quiet").status, 0);
   write("method.py", std::string(kModule) + "# changed\n");

@@ -14,11 +14,26 @@
 namespace slalom {
 namespace {
 
+const std::string kVersion =
+    std::to_string(PY_MAJOR_VERSION) + "." + std::to_string(PY_MINOR_VERSION);
+
+/// VIRTUAL_ENV, or "".
+std::filesystem::path environment() {
+  const char* folder = std::getenv("VIRTUAL_ENV");
+  return folder == nullptr ? "" : folder;
+}
+
+/// Packages of another version of Python cannot be imported.
+bool is_of_this_version(const std::filesystem::path& environment) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(environment / "lib" / ("python" + kVersion), ignored);
+}
+
 /// Environments of Python are found through the path of their interpreter.
 std::string interpreter_path() {
-  const char* environment = std::getenv("VIRTUAL_ENV");
-  if (environment == nullptr || *environment == '\0') return SLALOM_PYTHON_EXECUTABLE;
-  return (std::filesystem::path(environment) / "bin" / "python3").string();
+  const std::filesystem::path folder = environment();
+  return is_of_this_version(folder) ? (folder / "bin" / "python3").string()
+                                    : SLALOM_PYTHON_EXECUTABLE;
 }
 
 /// The standard library that is beside the programs of an archive (scripts/archive.sh), or "".
@@ -97,7 +112,12 @@ std::string describe(const pybind11::error_already_set& error) {
     }
   for (char& c : text)
     if (c == '\n') c = ' ';
-  return frames.empty() ? text : text + " (" + frames + ")";
+  if (!frames.empty()) text += " (" + frames + ")";
+  if (error.matches(PyExc_ModuleNotFoundError) && !environment().empty() &&
+      !is_of_this_version(environment()))
+    text += "; VIRTUAL_ENV is " + environment().string() +
+            ", which was not used; expected an environment of Python " + kVersion;
+  return text;
 }
 
 }  // namespace slalom

@@ -43,11 +43,11 @@ def _why_not_importable() -> str:
     return ""
 
 
-if _why_not_importable():
+if not _why_not_importable():
+    from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
+    from . import _slalom
+elif sys.argv[:1] != ["-m"]:  # that is python -m slalom, which only looks for a program
     raise ImportError("slalom: " + _why_not_importable())
-
-from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
-from . import _slalom
 
 __all__ = [
     "Certificate",
@@ -233,7 +233,8 @@ def _analyze(verb: str, results: Sequence[Results], options: Dict[str, Any]) -> 
 
 
 def _find_program(name: str) -> str:
-    """The path of a program of the same version: in a wheel, built, installed, or on PATH."""
+    """The path of a program of the same version: in a wheel, built, installed, or on PATH. Raises
+    FileNotFoundError."""
     package = os.path.dirname(os.path.abspath(__file__))
     for folder in ("bundle/bin", "../../../bin", "../../../../bin"):
         path = os.path.abspath(os.path.join(package, folder, name))
@@ -241,7 +242,7 @@ def _find_program(name: str) -> str:
             return path
     found = shutil.which(name)
     if found is None:
-        raise Error(f"{name} is not installed; expected the package slalom")
+        raise FileNotFoundError(f"{name} is not installed; expected the package slalom")
     return found
 
 

@@ -5,7 +5,7 @@ import glob
 import os
 import sys
 
-from . import Error, _find_program
+from . import _find_program
 
 
 def main(words: list) -> int:
@@ -34,6 +34,6 @@ def _programs() -> list:
 if __name__ == "__main__":
     try:
         sys.exit(main(sys.argv[1:]))
-    except Error as error:
+    except FileNotFoundError as error:
         print(f"slalom: {error}", file=sys.stderr)
         sys.exit(1)
