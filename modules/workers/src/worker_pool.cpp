@@ -209,6 +209,7 @@ class Pool {
     }
     ++finished_;
     inputs_.release(index);
+    assign_items();  // the worker does not wait until the result is stored
     results_.put(index, std::move(result));
   }
 

@@ -73,6 +73,22 @@ TEST(WorkerPool, UnorderedResultsArriveWhileAnEarlierWorkItemTakesLong) {
   EXPECT_EQ(arrived, (std::vector<std::string>{"1", "0"}));
 }
 
+TEST(WorkerPool, TheNextWorkItemBeginsBeforeAResultIsStored) {
+  ManualTime time;  // shared memory: 1 s when item 1 has begun
+  const WallClock clock = time.clock();
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
+    if (i == 1) time.advance(1);
+    return std::to_string(i);
+  };
+  std::vector<std::string> stored;
+  const auto store = [&](std::size_t, WorkResult&& result) {
+    while (clock() < 1) usleep(500);
+    stored.push_back(result.payload);
+  };
+  EXPECT_TRUE(run_in_workers(2, with_workers(1), item, store, nullptr));
+  EXPECT_EQ(stored, (std::vector<std::string>{"0", "1"}));
+}
+
 TEST(WorkerPool, ResultsArriveInOrderForAnyNumberOfWorkers) {
   const WorkItem item = [](std::size_t i, SharedTaskLog&) {
     usleep(i % 3 == 0 ? 3000 : 0);  // so that workers overtake each other
