@@ -155,6 +155,38 @@ TEST_F(StudioScreenshot, InTheLightThemeShowsAFormOnTheWindow) {
                  "");
 }
 
+TEST_F(StudioScreenshot, ShowsAGridOfPicturesAndARangeOfTimesOfRunsColoredBySpeed) {
+  expect_as_kept("studio_grid",
+                 "size 1280 800\n"
+                 "wait idle\n"
+                 "do view.grid\n"
+                 "do coloring.speed\n"
+                 "drag plot_speed plot at 0.2 0.5 to plot_speed plot at 0.6 0.5\n"
+                 "click replay slider at 0.5 0.5\n",
+                 "");
+}
+
+TEST_F(StudioScreenshot, ShowsTheActionsWithTwoWords) {
+  expect_as_kept("studio_actions",
+                 "size 1280 800\n"
+                 "wait idle\n"
+                 "do coloring.clearance\n"
+                 "key Ctrl+K\n"
+                 "type \"file open\"\n",
+                 "");
+}
+
+TEST_F(StudioScreenshot, ShowsTheRunsOfAnEditedScenario) {
+  expect_as_kept("studio_run",
+                 "size 1280 800\n"
+                 "wait idle\n"
+                 "do tool.goal\n"
+                 "click view \"at 1 3\"\n"
+                 "key F9\n"
+                 "wait idle\n",
+                 "");
+}
+
 TEST_F(StudioScreenshot, AChangeOfOneLineOfTheLegendIsADifference) {
   expect_played(
       "size 1280 800\n"
