@@ -71,7 +71,7 @@ string(CONCAT about
        "Slalom simulates a mobile robot under each of several obstacle avoidance\n"
        "methods in hundreds of scenarios, compares every run with the best possible\n"
        "path, and relates properties of the scenarios to the performance.")
-set(holds_programs "the programs, the methods shipped with them, and example campaigns")
+set(holds_programs "the programs, shipped methods and example campaigns")
 set(holds_development "the static libraries, headers and the package of CMake")
 set(holds_python "the Python package slalom")
 set(holds_documentation "the API reference, the guide and examples")
