@@ -68,7 +68,9 @@ IniFile IniFile::from_text(const std::string& text, const std::string& name) {
       continue;
     }
     const std::size_t equals = line.find('=');
-    if (equals == std::string::npos || section.empty())
+    if (equals != std::string::npos && section.empty())
+      throw usage_error(position, "'" + line + "' is of no section", "a line [section] before it");
+    if (equals == std::string::npos)
       throw usage_error(position, "malformed line '" + line + "'", "[section] or key = value");
     const std::string key = trim(line.substr(0, equals));
     if (ini.find(section, key) != nullptr)

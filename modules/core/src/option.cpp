@@ -75,8 +75,9 @@ Error invalid_value(const Option& option, const std::string& text, const std::st
   if (option.get_if<double>() != nullptr) kind = "a number ";
   if (option.get_if<int>() != nullptr || option.get_if<std::uint64_t>() != nullptr)
     kind = "an integer ";
-  const std::string expected =
+  std::string expected =
       option.choices.empty() ? kind + option.expected() : "one of " + join(option.choices, ", ");
+  if (!option.unit.empty() && option.unit != "-") expected += ", in " + option.unit;
   return usage_error(where, "'" + text + "' is not valid", expected);
 }
 

@@ -48,6 +48,8 @@ TEST(IniFile, MalformedLinesAreRefusedWithTheirLineNumber) {
   EXPECT_TRUE(refused_text("[a\n", "f.ini:1: ", {"'[a'", "expected [section]"}));
   EXPECT_TRUE(
       refused_text("[a]\nhello\n", "f.ini:2: ", {"'hello'", "expected [section] or key = value"}));
+  EXPECT_TRUE(refused_text("x = 1\n[a]\n", "f.ini:1: ",
+                           {"'x = 1' is of no section", "expected a line [section] before it"}));
   EXPECT_TRUE(refused_text("[a]\nx=1\nx=2\n", "f.ini:3: [a] x: ", {"duplicate"}));
 }
 

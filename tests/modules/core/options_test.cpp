@@ -57,6 +57,7 @@ TEST(Options, EveryTypeIsRead) {
 }
 
 TEST(Options, InvalidValuesAreRefusedWithTheirKeyAndRange) {
+  EXPECT_TRUE(refused("radius", "30cm", {"'30cm'", "expected a number > 0, in m"}));
   EXPECT_TRUE(refused("radius", "0", {"'0'", "expected a number > 0"}));
   EXPECT_TRUE(refused("radius", "nan", {"'nan'", "expected a number > 0"}));
   EXPECT_TRUE(refused("rays", "2.5", {"'2.5'", "expected an integer in [2, 1000]"}));

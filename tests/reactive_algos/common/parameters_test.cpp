@@ -39,7 +39,7 @@ TEST(SetParameter, SetsTheOneWithTheKey) {
 }
 
 TEST(SetParameter, RefusesUnknownKeysAndInvalidValues) {
-  EXPECT_EQ(refusal("a", "-1"), "a: '-1' is not valid; expected a number >= 0");
+  EXPECT_EQ(refusal("a", "-1"), "a: '-1' is not valid; expected a number >= 0, in m");
   EXPECT_EQ(refusal("b", "4"), "b: '4' is not valid; expected an integer in [1, 3]");
   EXPECT_EQ(refusal("map", "guessed"),
             "map: 'guessed' is not valid; expected one of sensed, known");
