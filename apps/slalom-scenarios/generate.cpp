@@ -27,7 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct GenerateArguments {
-  std::string config, output, descriptors;
+  std::string config, family, output, descriptors;
   std::vector<std::string> overrides;
   int count = 0, jobs = 1;
   std::optional<std::uint64_t> seed;  ///< default: that of [campaign]
@@ -37,7 +37,11 @@ struct GenerateArguments {
 };
 
 IniFile load_ini(const GenerateArguments& arguments) {
-  IniFile ini = IniFile::load(arguments.config);
+  if (arguments.config.empty() && arguments.family.empty())
+    throw usage_error("slalom-scenarios generate", "no scenarios described",
+                      "--family NAME or --config FILE.ini");
+  IniFile ini = arguments.config.empty() ? IniFile::from_text("") : IniFile::load(arguments.config);
+  if (!arguments.family.empty()) ini.set("scenarios", "generator", arguments.family);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   ini.reject_unknown_sections({"campaign", "scenarios", "coverage", "generator.*", "robot",
                                "sensor", "laser.*", "odometry", "tracks", "simulation", "people",
@@ -128,8 +132,10 @@ void add_generate_verb(CLI::App& app) {
   static GenerateArguments arguments;
   CLI::App* verb = app.add_subcommand("generate", "Generate solvable scenarios");
   verb->add_option("-c,--config", arguments.config,
-                   "An .ini with [scenarios] generator = NAME[, NAME...]")
-      ->required();
+                   "An .ini with [scenarios] generator = NAME[, NAME...]");
+  complete_with(verb->add_option("--family", arguments.family,
+                                 "Families, comma-separated, overrides [scenarios] generator"),
+                [](const Words&) { return generator_names(); });
   verb->add_option("-n,--count", arguments.count,
                    "Number of scenarios, overrides [scenarios] count; or per bin, overrides "
                    "[coverage] per_bin")

@@ -27,6 +27,22 @@ TEST_F(Generate, TheListIsByteIdenticalForAnyNumberOfThreads) {
   EXPECT_TRUE(a == read("b.scenarios"));
 }
 
+TEST_F(Generate, AFamilyNeedsNoIni) {
+  write("maze.ini", "[scenarios]\ngenerator = maze\n[generator.maze]\nrows = 5\ncolumns = 5\n");
+  const std::string generate = "slalom-scenarios generate -n 3 --quiet ";
+  ASSERT_EQ(run(generate + "-c maze.ini -o a.scenarios").status, 0);
+  const std::string options = "--set generator.maze.rows=5 --set generator.maze.columns=5 ";
+  ASSERT_EQ(run(generate + "--family maze " + options + "-o b.scenarios").status, 0);
+  EXPECT_TRUE(read("a.scenarios") == read("b.scenarios"));
+  ASSERT_EQ(run(generate + "-c mix.ini --family random -o c.scenarios").status, 0);
+  EXPECT_NE(run("slalom-scenarios list c.scenarios").out.find("random_0002"), std::string::npos);
+  const ProgramResult none = run(generate + "-o d.scenarios");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("expected --family NAME or --config FILE.ini"), std::string::npos)
+      << none.err;
+  EXPECT_EQ(run(generate + "--family labyrinth -o d.scenarios").status, 2);
+}
+
 TEST_F(Generate, TheSeedIsThatOfTheCampaignUnlessAnotherIsGiven) {
   write("seeded.ini", "[campaign]\nseed = 5\n" + read("mix.ini"));
   const auto list = [&](const std::string& arguments) {
