@@ -26,7 +26,7 @@ std::string resolve_plugin_path(const std::string& plugin, const std::string& fo
     std::error_code ignored;
     const fs::path path = fs::absolute(candidate).lexically_normal();
     if (fs::is_regular_file(path, ignored)) return path.string();
-    tried.push_back(path.string());
+    if (!contains(tried, path.string())) tried.push_back(path.string());
   }
   throw usage_error(where, "library '" + plugin + "' not found",
                     "a file at " + join(tried, " or "));

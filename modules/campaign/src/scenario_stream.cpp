@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/scenario_sources.h>
+#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
@@ -31,6 +32,14 @@ MixSettings mix_settings(const ScenarioSources& sources) {
   settings.people = section.people;
   settings.describe = sources.context.describe;
   return settings;
+}
+
+/// Names the key for maps if what was given as a list may be one.
+ScenarioList open_given_list(const std::string& path) try {
+  return ScenarioList::open(path);
+} catch (const Error& error) {
+  if (ends_with(path, ".scenarios")) throw;
+  throw Error(error.kind(), std::string(error.what()) + ", or maps = " + path + " for a map");
 }
 
 }  // namespace
@@ -69,7 +78,7 @@ void ScenarioStream::commit_part(const std::vector<std::size_t>& duplicates) {
 std::vector<GeneratedScenario> ScenarioStream::next_of_list() {
   constexpr std::size_t kPart = 128;
   if (!list_) {
-    list_ = std::make_unique<ScenarioList>(ScenarioList::open(given_[0]));
+    list_ = std::make_unique<ScenarioList>(open_given_list(given_[0]));
     entries_ = list_->entries();
   }
   const std::size_t end = std::min(state_.passed + kPart, entries_.size());

@@ -80,5 +80,17 @@ TEST(ResolvePluginPath, ReportsAllPathsTried) {
                            [] { resolve("/nowhere/campaign.ini", "libabsent.so"); }));
 }
 
+TEST(ResolvePluginPath, ReportsEachPathOnce) {
+  const CurrentFolder here("/tmp");
+  try {
+    resolve("/tmp/campaign.ini", "libabsent.so");
+    FAIL();
+  } catch (const Error& error) {
+    const std::string text = error.what(), path = "/tmp/libabsent.so";
+    EXPECT_NE(text.find(path), std::string::npos) << text;
+    EXPECT_EQ(text.find(path), text.rfind(path)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace slalom

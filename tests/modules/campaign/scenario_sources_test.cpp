@@ -66,6 +66,9 @@ TEST(ScenarioSources, MissingAndInvalidSourcesAreRejected) {
                            [] { collect("[scenarios]\nlits = x\n"); }));
   EXPECT_TRUE(throws_error(ErrorKind::File, "/nonexistent.scenarios", {},
                            [] { collect("[scenarios]\nlist = /nonexistent.scenarios\n"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "/nonexistent.yaml: ",
+                           {"a scenario list (.scenarios), or maps = /nonexistent.yaml for a map"},
+                           [] { collect("[scenarios]\nlist = /nonexistent.yaml\n"); }));
 }
 
 TEST(ScenarioSources, SeveralFamiliesShareTheCount) {

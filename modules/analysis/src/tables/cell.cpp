@@ -38,8 +38,7 @@ void require_valid(const AnalysisOptions& options) {
 }
 
 Error unknown_metric(const std::string& id, const std::vector<std::string>& known) {
-  return usage_error("columns", "no metric '" + id + "' in these results",
-                     expected_name(id, known));
+  return usage_error("metric '" + id + "'", "not in these results", expected_name(id, known));
 }
 
 void require_readable(const ResultTable& table, const std::string& where, const std::string& id) {

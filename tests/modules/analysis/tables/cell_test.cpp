@@ -82,7 +82,7 @@ TEST_F(CellTest, AnEmptyGroupHasNoEstimate) {
 }
 
 TEST_F(CellTest, AnUnknownColumnSuggestsTheNearest) {
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "columns", {"'optimalty'", "expected 'optimality'"},
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "metric 'optimalty': ", {"expected 'optimality'"},
                            [&] { resolve_columns(fixture_.table, {"optimalty"}); }));
 }
 

@@ -190,7 +190,7 @@ TEST(TableSums, AnUnknownMetricSuggestsTheNearest) {
   const Divided results = random_results(3);
   TableSums sums({bin_rows({}, results.whole)}, {"optimalty"});
   sums.add(results.parts[0]);
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "columns", {"'optimalty'", "expected 'optimality'"},
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "metric 'optimalty': ", {"expected 'optimality'"},
                            [&] { sums.cross_tables({}); }));
 }
 
