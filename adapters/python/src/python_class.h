@@ -20,8 +20,8 @@ pybind11::object find_class(const pybind11::module_& module, const std::string& 
                             const std::string& where);
 
 /// The class with what it leaves out: a constructor, which sets the attributes `robot` and
-/// `options`, and reset(), which constructs the object anew, so that no run depends on those
-/// before. Throws Error (Usage) at `where` for a class without step().
+/// `options`, and reset(), which calls the constructor again, so that no run depends on another.
+/// Throws Error (Usage) at `where` for a class without step().
 pybind11::object complete_class(const pybind11::object& type, const std::string& where);
 
 /// An object with the options that the class declares as attributes: the given values, else the
