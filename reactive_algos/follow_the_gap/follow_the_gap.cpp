@@ -76,10 +76,15 @@ double final_heading(const Gap& gap, double goal_angle, double nearest, double a
 
 double free_distance_ahead(const std::vector<double>& ranges, double aperture, double max_range,
                            double radius) {
+  constexpr double kRounding = 1e-9;
   double free_distance = max_range;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (ranges[i] >= max_range) continue;
     const double angle = ray_angle(i, ranges.size(), aperture);
+    // Most rays end beside the robot's way, by |sin a| >= |a| / (pi / 2), or behind: no sine
+    // needed.
+    if (ranges[i] * std::min(std::abs(angle) / (M_PI / 2), 1.0) > radius * (1 + kRounding))
+      continue;
     const double x = ranges[i] * slalom::math::cos(angle), y = ranges[i] * slalom::math::sin(angle);
     if (x <= 0 || std::abs(y) >= radius) continue;
     free_distance = std::min(free_distance, x - std::sqrt(radius * radius - y * y));

@@ -99,8 +99,8 @@ class LibraryMethod : public Method {
 
   Command step(const Observation& observation) override {
     const auto& scan = *observation.scan;
-    ranges_.resize(scan.getScanSize());
-    for (std::size_t i = 0; i < ranges_.size(); ++i) ranges_[i] = scan.getScanRange(i);
+    const float* first = scan.getScanSize() > 0 ? &scan.getScanRange(0) : nullptr;
+    ranges_.assign(first, first + scan.getScanSize());
     slalom_observation o = {};
     o.time = observation.time;
     o.x = observation.odometry.x;

@@ -85,6 +85,34 @@ void check_config(const HolonomicOptions& options, const OptionLocation& where) 
   require_overrides(*config, options.config_set, where("config_set"));
 }
 
+/// Clearance of a sector: the mean free distance of the sector and its two neighbors. The maps of
+/// MRPT's diagram are made once, for all steps.
+class SectorClearances {
+ public:
+  explicit SectorClearances(std::size_t sectors) {
+    diagram_.resize(sectors, sectors);
+    for (std::size_t k = 0; k < sectors; ++k) {
+      auto& of_sector = diagram_.get_path_clearance(k);
+      for (const double fraction : {0.25, 0.5, 0.75, 1.0}) values_.push_back(&of_sector[fraction]);
+    }
+  }
+
+  const mrpt::nav::ClearanceDiagram& of(const std::vector<double>& distances) {
+    const std::size_t count = distances.size(), per_sector = values_.size() / count;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double mean =
+          (distances[(k + count - 1) % count] + distances[k] + distances[(k + 1) % count]) / 3;
+      for (std::size_t i = 0; i < per_sector; ++i)
+        *values_[k * per_sector + i] = std::min(mean, 1.0);
+    }
+    return diagram_;
+  }
+
+ private:
+  mrpt::nav::ClearanceDiagram diagram_;
+  std::vector<double*> values_;  ///< in the maps of the diagram, sector by sector
+};
+
 /// An MRPT holonomic method that is used as a complete navigator.
 class HolonomicMethod : public Method {
  public:
@@ -92,7 +120,8 @@ class HolonomicMethod : public Method {
       : options_(std::move(options)),
         sectors_(static_cast<std::size_t>(options_.sectors)),
         robot_(std::move(robot)),
-        aperture_(sensor.aperture()) {}
+        aperture_(sensor.aperture()),
+        clearance_(static_cast<std::size_t>(options_.sectors)) {}
 
   /// MRPT's methods store their last decision, so each run uses a new object.
   void reset(const NavigationTask& task) override {
@@ -104,7 +133,6 @@ class HolonomicMethod : public Method {
     paths_ = complete_full_eval(*method_, static_cast<std::size_t>(options_.sectors));
     // CHolonomicVFF always returns speed 0 unless it slows down near the target.
     method_->enableApproachTargetSlowDown(true);
-    clearance_.clear();
   }
 
   /// Options of the adapter for all classes; those of the class are in `config`.
@@ -128,8 +156,7 @@ class HolonomicMethod : public Method {
     input.maxRobotSpeed = 1.0;
     // Points in MRPT 2.5; poses, made from a point here, since 2.14.3.
     input.targets.emplace_back(target(observation.goal_in_robot));
-    fill_clearance(input.obstacles, clearance_);
-    input.clearance = &clearance_;
+    input.clearance = &clearance_.of(input.obstacles);
     CAbstractHolonomicReactiveMethod::NavOutput output;
     method_->navigate(input, output);
     return to_command(output.desiredDirection, output.desiredSpeed, observation.v, points);
@@ -161,22 +188,6 @@ class HolonomicMethod : public Method {
     const double distance = math::hypot(goal.x, goal.y) / options_.reference_distance;
     const double scale = distance > kMaxTarget ? kMaxTarget / distance : 1.0;
     return goal * (scale / options_.reference_distance);
-  }
-
-  /// Clearance of a sector: the mean free distance of the sector and its two neighbors.
-  static void fill_clearance(const std::vector<double>& obstacles,
-                             mrpt::nav::ClearanceDiagram& clearance) {
-    const std::size_t count = obstacles.size();
-    if (clearance.empty()) {
-      clearance.resize(count, count);
-      for (std::size_t k = 0; k < count; ++k)
-        clearance.get_path_clearance(k) = {{0.25, 0}, {0.5, 0}, {0.75, 0}, {1.0, 0}};
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const double mean =
-          (obstacles[(k + count - 1) % count] + obstacles[k] + obstacles[(k + 1) % count]) / 3;
-      for (auto& [fraction, value] : clearance.get_path_clearance(k)) value = std::min(mean, 1.0);
-    }
   }
 
   Command to_command(double direction, double speed, double measured_v,
@@ -227,7 +238,7 @@ class HolonomicMethod : public Method {
   double control_period_ = 0;                                            ///< s
   std::unique_ptr<mrpt::nav::CParameterizedTrajectoryGenerator> paths_;  ///< used by method_
   CAbstractHolonomicReactiveMethod::Ptr method_;
-  mrpt::nav::ClearanceDiagram clearance_;  ///< of the last step; its maps are used again
+  SectorClearances clearance_;
 };
 
 MethodFactory make_factory(const HolonomicOptions& options, const OptionLocation& where) {
