@@ -35,10 +35,10 @@ ScenarioFindings survey_scenario(const Campaign& campaign, const Scenario& scena
   findings.record = {scenario.hash(), scenario.name(), {}};
   findings.references = find_references(options, campaign.planner, world);
   const References& references = findings.references;
-  const DescriptorContext context{
-      world, options.robot.shape(), options.sensor.max_range,
-      search_once([&] { return exact_path(options, world, references); }),
-      options.exact_confinement};
+  DescriptorContext context{world, options.robot.shape(), options.sensor.max_range,
+                            search_once([&] { return exact_path(options, world, references); }),
+                            options.exact_confinement};
+  if (references.safest) context.bottleneck = references.safest->bottleneck;
   for (const std::string& id : options.descriptors) {
     const Descriptor& enabled = descriptor(id);
     findings.record.descriptors[id] = {enabled.info.version, enabled.compute(context)};

@@ -6,9 +6,12 @@ namespace slalom::descriptors {
 
 /// 2 * max over paths from start to goal of (min over the path of d); NA if the robot does not fit.
 Value bottleneck_width(const DescriptorContext& context) {
-  const auto& start = context.world.scenario().start();
+  const Scenario& scenario = context.world.scenario();
   const double widest =
-      widest_bottleneck(context.world, {start.x, start.y}, context.world.scenario().goal());
+      context.bottleneck
+          ? *context.bottleneck
+          : widest_bottleneck(context.world, {scenario.start().x, scenario.start().y},
+                              scenario.goal());
   if (widest < context.robot_radius()) return Value::na("unsolvable: narrower than the robot");
   return Value::of(2 * widest);
 }

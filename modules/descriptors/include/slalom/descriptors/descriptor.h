@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct DescriptorContext {
   bool exact_confinement = false;
   /// Published version of BARN's visibility: 2021 or 2020.
   int barn_visibility = 2021;
+  /// widest_bottleneck() (m) from start to goal, where it is known from the reference paths.
+  std::optional<double> bottleneck = std::nullopt;
   /// The grid of BARN's metrics for this world and this P*: made by the first of them.
   mutable std::shared_ptr<const BarnField> barn_field = nullptr;
 
