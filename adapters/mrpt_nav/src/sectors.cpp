@@ -34,8 +34,7 @@ double distance_to(const mrpt::math::TPoint2D& p, const mrpt::math::TPoint2D& u,
                    double distance) {
   const double along = p.x * u.x + p.y * u.y;
   const double lateral = p.x * u.y - p.y * u.x;
-  // Contact is not closer than radius before the point: most points need no root.
-  if (along <= 0 || along - radius >= distance || std::abs(lateral) >= radius) return distance;
+  if (along <= 0 || std::abs(lateral) >= radius) return distance;
   return std::min(distance, along - std::sqrt(radius * radius - lateral * lateral));
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <map>
 #include <utility>
 
 namespace slalom {
@@ -22,14 +23,21 @@ void reverse_bits(std::vector<Complex>& data) {
   }
 }
 
+/// The first half of the roots of unity, clockwise, kept for the next signal of this size.
+const std::vector<Complex>& roots_of_unity(std::size_t size) {
+  thread_local std::map<std::size_t, std::vector<Complex>> known;
+  std::vector<Complex>& roots = known[size];
+  for (std::size_t k = roots.size(); k < size / 2; ++k) {
+    const double angle = -2 * M_PI * static_cast<double>(k) / static_cast<double>(size);
+    roots.emplace_back(math::cos(angle), math::sin(angle));
+  }
+  return roots;
+}
+
 /// In-place radix-2 FFT (Cooley and Tukey); the size is a power of two.
 void transform(std::vector<Complex>& data) {
   reverse_bits(data);
-  std::vector<Complex> roots(data.size() / 2);
-  for (std::size_t k = 0; k < roots.size(); ++k) {
-    const double angle = -2 * M_PI * static_cast<double>(k) / static_cast<double>(data.size());
-    roots[k] = {math::cos(angle), math::sin(angle)};
-  }
+  const std::vector<Complex>& roots = roots_of_unity(data.size());
   for (std::size_t half = 1; half < data.size(); half *= 2) {
     const std::size_t step = roots.size() / half;
     for (std::size_t begin = 0; begin < data.size(); begin += 2 * half)
