@@ -489,6 +489,11 @@ class FilesAndFigures(unittest.TestCase):
         index = self.results.report(self.path("report"), rows="density:2", columns=["success"])
         self.assertIn("gap", pathlib.Path(index).read_text())
 
+    def test_a_missing_program_is_an_error(self):
+        with mock.patch("os.path.isfile", return_value=False), mock.patch("shutil.which", return_value=None):
+            with self.assertRaisesRegex(slalom.Error, "slalom-analyze is not installed; expected the package slalom"):
+                self.results.report(self.path("report"))
+
     def test_comparisons_name_the_difference(self):
         text = self.results.compare(metrics=["success"], baseline="gap")
         self.assertRegex(text, r"success +gap +fails")

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <slalom/core/error.h>
 #include <slalom/core/program_path.h>
-#include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
+#include <slalom/methods/registry.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,23 +12,8 @@ namespace slalom {
 
 std::string resolve_plugin_path(const std::string& plugin, const std::string& folder,
                                 const std::string& where) {
-  namespace fs = std::filesystem;
-  const fs::path requested(plugin);
-  std::vector<fs::path> candidates = {requested};
-  if (requested.is_relative()) {
-    const fs::path program = program_folder();
-    candidates = {fs::path(folder) / requested, requested, program / "../lib/slalom" / requested,
-                  program / "../lib" / requested};
-  }
-  std::vector<std::string> tried;
-  for (const fs::path& candidate : candidates) {
-    std::error_code ignored;
-    const fs::path path = fs::absolute(candidate).lexically_normal();
-    if (fs::is_regular_file(path, ignored)) return path.string();
-    if (!contains(tried, path.string())) tried.push_back(path.string());
-  }
-  throw usage_error(where, "library '" + plugin + "' not found",
-                    "a file at " + join(tried, " or "));
+  return resolve_method_file("library", plugin, folder, where,
+                             {shipped_folder(), program_folder() + "/../lib"});
 }
 
 std::string shipped_folder() {

@@ -220,7 +220,10 @@ def _analyze(verb: str, results: Sequence[Results], options: Dict[str, Any]) -> 
     folder = _evaluation_folder()
     paths = [one._path for one in results]
     names = [os.path.basename(path) if os.path.dirname(path) == folder else path for path in paths]
-    words = [_find_program("slalom-analyze"), verb, *names]
+    try:
+        words = [_find_program("slalom-analyze"), verb, *names]
+    except FileNotFoundError as error:
+        raise Error(str(error)) from None
     for name, value in options.items():
         if value is not None and value is not False:
             is_list = isinstance(value, (list, tuple))

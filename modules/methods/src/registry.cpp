@@ -93,11 +93,13 @@ std::vector<std::string> method_sections(const IniFile& ini,
 }
 
 std::string resolve_method_file(const std::string& kind, const std::string& file,
-                                const std::string& folder, const std::string& where) {
+                                const std::string& folder, const std::string& where,
+                                const std::vector<std::string>& others) {
   namespace fs = std::filesystem;
-  std::vector<std::string> tried;
-  for (const fs::path& candidate : {fs::path(folder) / file, fs::path(file)}) {
-    const fs::path path = fs::absolute(candidate).lexically_normal();
+  std::vector<std::string> folders = {folder, ""}, tried;
+  folders.insert(folders.end(), others.begin(), others.end());
+  for (const std::string& searched : folders) {
+    const fs::path path = fs::absolute(fs::path(searched) / file).lexically_normal();
     std::error_code ignored;
     if (fs::is_regular_file(path, ignored)) return path.string();
     if (fs::exists(path, ignored)) try {

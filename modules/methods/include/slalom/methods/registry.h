@@ -67,11 +67,12 @@ Options read_parameter_options(const IniFile& ini, const std::string& section) {
   return options;
 }
 
-/// The path of a file that a key names: absolute, or relative to the folder, else to the current
-/// one. `kind` is what it is, e.g. "module". Throws Error (Usage) at `where` if there is no such
-/// file.
+/// The path of a file that a key names: absolute, or relative to the folder, to the current one or
+/// to `others`, in this order. `kind` is what it is, e.g. "module". Throws Error (Usage) at `where`
+/// with the paths that were tried if there is no such file.
 std::string resolve_method_file(const std::string& kind, const std::string& file,
-                                const std::string& folder, const std::string& where);
+                                const std::string& folder, const std::string& where,
+                                const std::vector<std::string>& others = {});
 
 /// Whether the command is finite and within the robot's limits (with a tolerance of 1e-9);
 /// otherwise `reason` names the violation.
