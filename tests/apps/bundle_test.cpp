@@ -22,8 +22,9 @@ class Bundles : public ResultsTest {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  void forge(const Forgery& forgery, const BundleOptions& options = {}) const {
-    const ResultFile from = ResultFile::open(path("runs.results"));
+  void forge(const Forgery& forgery, const BundleOptions& options = {},
+             const std::string& results = "runs.results") const {
+    const ResultFile from = ResultFile::open(path(results));
     Manifest manifest = from.read_manifest();
     forgery.manifest(manifest);
     {
@@ -93,6 +94,29 @@ TEST_F(Bundles, AreWrittenByACampaignAndTheSameForAnyNumberOfWorkers) {
   expect_failure("slalom-evaluate small.ini -o out --with-sources", 2, {"--bundle"});
   expect_failure("slalom-evaluate small.ini -o out --bundle small.ini", 2,
                  {"small.ini", "is also an input"});
+}
+
+TEST_F(Bundles, OfASampleAreVerifiedWithItsChoice) {
+  write("small.ini", kSmallCampaign);
+  const std::string command = "slalom-evaluate small.ini --set scenarios.count=40 --quiet -o ";
+  ASSERT_EQ(run(command + "sample --quick 20 --bundle a.slalom").status, 0);
+  const ProgramResult verified = run("slalom-simulate verify a.slalom --fraction 1");
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_NE(verified.out.find(", generated and chosen again\n"), std::string::npos) << verified.out;
+  // Others of the same scenarios, such as those with a success.
+  ASSERT_EQ(run(command + "all").status, 0);
+  const std::string stated =
+      ResultFile::open(path("sample/runs.results")).read_manifest().at("quick");
+  Forgery picked;
+  picked.manifest = [&](Manifest& manifest) { manifest["quick"] = stated; };
+  picked.scenario = [](std::size_t number) { return number % 2 == 0; };
+  forge(picked, {}, "all/runs.results");
+  expect_found("of 20 are not those that --quick chooses");
+  // A statement of a sample that nobody could choose again.
+  for (const char* quick : {"20 of 40 scenarios, stratified by my wish", "19 of 40", "all"}) {
+    forge({[&](Manifest& manifest) { manifest["quick"] = quick; }}, {}, "sample/runs.results");
+    expect_found(std::string("its manifest states quick = ") + quick + ", its campaign has ");
+  }
 }
 
 TEST_F(Bundles, OfAPartOfACampaignAreRefused) {

@@ -3,15 +3,18 @@
 #include "verify_plan.h"
 
 #include <slalom/app/method_dependencies.h>
+#include <slalom/app/quick_sample.h>
 #include <slalom/app/testbeds.h>
 #include <slalom/campaign/shards.h>
 #include <slalom/commands/list_hash.h>
+#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/find_run.h>
 #include <slalom/map_formats/map_import.h>
 
 #include <algorithm>
+#include <climits>
 #include <set>
 
 namespace slalom {
@@ -50,6 +53,21 @@ bool differs_in_folders(const IdentityDifference& difference, const Manifest& re
     there = with_named_file(there, name);
   }
   return here == there;
+}
+
+/// Leaves the scenarios of the sample that a manifest states as `text`. Returns how this version of
+/// Slalom would state it, or why no sample is so.
+std::string choose_again(const std::string& text, const CampaignConfig& config, int jobs,
+                         Progress& progress, std::vector<Scenario>& scenarios) try {
+  long long size = 0;
+  parse_integer(text.substr(0, text.find(' ')), size);
+  const int wanted = static_cast<int>(std::clamp(size, 0LL, 1LL * INT_MAX));
+  const QuickSample sample = choose_quick_sample(scenarios, wanted, config, jobs, progress);
+  scenarios = sampled_scenarios(sample, std::move(scenarios));
+  return sample.text();
+} catch (const Error& error) {
+  if (error.kind() != ErrorKind::Usage) throw;
+  return error.what();
 }
 
 }  // namespace
@@ -124,23 +142,29 @@ ScenarioSet compare_scenarios(const ResultFile& file, const CampaignConfig& conf
   ScenarioSources sources = config.sources;
   if (!sources.section.list.empty() || !sources.section.maps.empty()) return set;
   sources.context.jobs = jobs;
-  std::set<std::string> made;
-  for (const Scenario& scenario : collect_scenarios(sources, load_occupancy_grid, progress))
-    made.insert(scenario.hash());
-  const auto others = static_cast<std::size_t>(std::count_if(
-      hashes.begin(), hashes.end(), [&](const std::string& one) { return made.count(one) == 0; }));
+  std::vector<Scenario> made = collect_scenarios(sources, load_occupancy_grid, progress);
   const Manifest manifest = file.read_manifest();
-  const bool sampled = manifest.count("quick") > 0,
-             whole = !sampled && manifest.count("until") == 0;
-  if (others == 0 && whole && made.size() != hashes.size())
-    set.differences.push_back("the file has " + count_text(hashes.size(), "scenario") +
-                              ", the campaign generates " + std::to_string(made.size()));
+  const auto quick = manifest.find("quick");
+  const bool sampled = quick != manifest.end();
+  const std::string maker = sampled ? "--quick chooses" : "the campaign generates";
+  if (sampled) {
+    const std::string here = choose_again(quick->second, config, jobs, progress, made);
+    if (here != quick->second)
+      set.differences.push_back(difference_text({"quick", here, quick->second}));
+  }
+  std::set<std::string> expected;
+  for (const Scenario& scenario : made) expected.insert(scenario.hash());
+  const auto others = static_cast<std::size_t>(
+      std::count_if(hashes.begin(), hashes.end(),
+                    [&](const std::string& one) { return expected.count(one) == 0; }));
+  if (others == 0 && manifest.count("until") == 0 && expected.size() != hashes.size())
+    set.differences.push_back("the file has " + count_text(hashes.size(), "scenario") + ", " +
+                              maker + " " + std::to_string(expected.size()));
   if (others > 0)
     set.differences.push_back(count_text(others, "scenario") + " of " +
-                              std::to_string(hashes.size()) +
-                              " are not those that the campaign generates");
+                              std::to_string(hashes.size()) + " are not those that " + maker);
   if (set.differences.empty())
-    set.text += sampled ? ", some of those generated again" : ", generated again";
+    set.text += sampled ? ", generated and chosen again" : ", generated again";
   return set;
 }
 

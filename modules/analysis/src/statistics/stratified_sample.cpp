@@ -14,10 +14,6 @@ double cautious_rate(double successes, std::size_t n) {
   return (successes + 1) / (static_cast<double>(n) + 2);
 }
 
-std::size_t total_of(const Allocation& allocation) {
-  return std::accumulate(allocation.begin(), allocation.end(), std::size_t{0});
-}
-
 /// Fisher and Yates' shuffle: std::shuffle differs between libraries.
 void shuffle(std::vector<std::size_t>& indexes, RandomEngine& engine) {
   for (std::size_t i = indexes.size(); i > 1; --i) {
@@ -30,24 +26,6 @@ double population_of(const Strata& strata) {
   std::size_t total = 0;
   for (const auto& stratum : strata) total += stratum.size();
   return static_cast<double>(total);
-}
-
-/// Adds scenarios one by one where the wanted fraction is furthest from being reached.
-Allocation fill(const Strata& strata, Allocation allocation, const std::vector<double>& wanted,
-                std::size_t n) {
-  for (std::size_t total = total_of(allocation); total < n; ++total) {
-    std::size_t best = strata.size();
-    double largest = -1;
-    for (std::size_t i = 0; i < strata.size(); ++i) {
-      const double need = wanted[i] / (static_cast<double>(allocation[i]) + 0.5);
-      if (allocation[i] >= strata[i].size() || need <= largest) continue;
-      largest = need;
-      best = i;
-    }
-    if (best == strata.size()) break;
-    ++allocation[best];
-  }
-  return allocation;
 }
 
 }  // namespace
@@ -67,25 +45,23 @@ Strata make_strata(const std::vector<double>& values, std::size_t strata, Random
   return result;
 }
 
+/// Adds scenarios one by one to the stratum that is furthest from its share.
 Allocation proportional_allocation(const Strata& strata, std::size_t n) {
-  std::vector<double> sizes;
-  for (const auto& stratum : strata) sizes.push_back(static_cast<double>(stratum.size()));
-  return fill(strata, Allocation(strata.size(), 1), sizes, n);
-}
-
-Allocation neyman_allocation(const Strata& strata, const Allocation& first,
-                             const std::vector<std::vector<std::size_t>>& successes,
-                             std::size_t n) {
-  std::vector<double> wanted;
-  for (std::size_t i = 0; i < strata.size(); ++i) {
-    double variance = 0;
-    for (const auto& method : successes) {
-      const double rate = cautious_rate(static_cast<double>(method[i]), first[i]);
-      variance += rate * (1 - rate) / static_cast<double>(successes.size());
+  Allocation allocation(strata.size(), 1);
+  for (std::size_t total = strata.size(); total < n; ++total) {
+    std::size_t best = strata.size();
+    double largest = -1;
+    for (std::size_t i = 0; i < strata.size(); ++i) {
+      const double need =
+          static_cast<double>(strata[i].size()) / (static_cast<double>(allocation[i]) + 0.5);
+      if (allocation[i] >= strata[i].size() || need <= largest) continue;
+      largest = need;
+      best = i;
     }
-    wanted.push_back(static_cast<double>(strata[i].size()) * std::sqrt(variance));
+    if (best == strata.size()) break;
+    ++allocation[best];
   }
-  return fill(strata, first, wanted, n);
+  return allocation;
 }
 
 StratifiedRate stratified_rate(const Strata& strata, const Allocation& sampled,

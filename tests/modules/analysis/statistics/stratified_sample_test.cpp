@@ -72,19 +72,6 @@ TEST(StratifiedSample, AllocatesInProportionToTheSizes) {
   EXPECT_EQ(proportional_allocation(of_sizes({2, 3}), 1), (Allocation{1, 1})) << "one of each";
 }
 
-TEST(StratifiedSample, AllocatesTheRestByTheStandardDeviations) {
-  // After 10 of each: 0 and 5 successes of 10 are cautious rates of 1/12 and 1/2, with standard
-  // deviations of 0.2764 and 0.5; of 200, 71 and 129 are in that proportion.
-  const Strata strata = of_sizes({1000, 1000});
-  const Allocation found = neyman_allocation(strata, {10, 10}, {{0, 5}}, 200);
-  EXPECT_EQ(sum_of(found), 200U);
-  EXPECT_NEAR(static_cast<double>(found[0]), 200 * 0.2764 / 0.7764, 1);
-  // Two methods that are each certain in one stratum share the sample.
-  EXPECT_EQ(neyman_allocation(strata, {10, 10}, {{0, 5}, {5, 0}}, 200), (Allocation{100, 100}));
-  EXPECT_EQ(neyman_allocation(strata, {30, 10}, {{0, 5}}, 20), (Allocation{30, 10}))
-      << "nothing is taken back";
-}
-
 TEST(StratifiedSample, EstimatesTheRateOfAllScenarios) {
   // Strata of 30 and 10 with 3 of 6 and 4 of 4 successes: 0.75 x 0.5 + 0.25 x 1 = 0.625. Variances
   // of the cautious rates 4/8 and 5/6: 0.75^2 x 0.25 / 6 x 0.8 + 0.25^2 x (5/36) / 4 x 0.6.
@@ -137,9 +124,9 @@ struct Performance {
   double coverage = 0;
 };
 
-/// Estimates the rate of each method 200 times from 100 of the 2,000 scenarios: 30 in proportion to
-/// the strata, the rest by Neyman. A coverage of 0.95 is measured to sqrt(0.95 x 0.05 / 3000) =
-/// 0.004, the ratio to 2 %.
+/// Estimates the rate of each method 200 times from 100 of the 2,000 scenarios, in proportion to
+/// the strata. A coverage of 0.95 is measured to sqrt(0.95 x 0.05 / 3000) = 0.004, the ratio to 2
+/// %.
 template <typename ValuesFor>
 Performance performance(Population& population, const ValuesFor& values_for) {
   double stratified_error = 0, random_error = 0, covered = 0;
@@ -155,9 +142,7 @@ Performance performance(Population& population, const ValuesFor& values_for) {
     };
     for (int repeat = 0; repeat < 200; ++repeat) {
       const Strata strata = make_strata(values, kStrata, population.engine);
-      const Allocation first = proportional_allocation(strata, 30);
-      const Allocation sampled =
-          neyman_allocation(strata, first, {successes_of(strata, first)}, 100);
+      const Allocation sampled = proportional_allocation(strata, 100);
       EXPECT_EQ(sum_of(sampled), 100U);
       const std::vector<std::size_t> successes = successes_of(strata, sampled);
       const StratifiedRate found =

@@ -24,12 +24,6 @@ using Allocation = std::vector<std::size_t>;
 /// A sample of `n` in proportion to the sizes of the strata: at least one of each, at most all.
 Allocation proportional_allocation(const Strata& strata, std::size_t n);
 
-/// Continues the sample `first` to `n`, in proportion to the standard deviations of the strata as
-/// far as the first sample shows them (Neyman 1934). `successes`: of each method in each stratum of
-/// the first sample; with several methods the mean of their variances counts.
-Allocation neyman_allocation(const Strata& strata, const Allocation& first,
-                             const std::vector<std::vector<std::size_t>>& successes, std::size_t n);
-
 /// A rate over all scenarios, estimated from a sample.
 struct StratifiedRate {
   double rate = 0;
