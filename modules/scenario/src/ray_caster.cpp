@@ -177,6 +177,11 @@ ScanOrigin RayCaster::scan_origin(const Ray& ray, double heading, double max_ran
     origin.column[mirrored] = static_cast<std::int32_t>(column);
     origin.row[mirrored] = static_cast<std::int32_t>(row);
   }
+  for (const int left : {0, 1})
+    for (const int down : {0, 1})
+      origin.codes[left][down] =
+          rectangles_[plane_of(left, down) +
+                      index(static_cast<int>(origin.x[left]), static_cast<int>(origin.y[down]))];
   const auto [sine, cosine] = math::sin_cos(heading);
   origin.cosine = cosine;
   origin.sine = sine;

@@ -20,6 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Reals = hn::CappedTag<float, 16>;
 using Ints = hn::RebindToSigned<Reals>;
+using Codes = hn::Rebind<std::uint8_t, Ints>;
 using Doubles = hn::CappedTag<double, 8>;
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(Reals()));
 constexpr int kDoubleLanes = static_cast<int>(hn::MaxLanes(Doubles()));
@@ -62,8 +63,9 @@ struct alignas(64) RayVector {
   // The ray's cell relative to the origin's, its index in the table, its codes, and where the ray
   // leaves the rectangle.
   float cx[kLanes], cy[kLanes];
-  std::int32_t at[kLanes], codes[kLanes];
+  std::int32_t at[kLanes];
   float exit[kLanes];
+  std::uint8_t codes[kLanes];
 };
 
 constexpr int kMaxVectors = RayChunk::kSize / kLanes;
@@ -88,7 +90,7 @@ void rotate(const ScanOrigin& origin, const double* cosine, const double* sine, 
 /// Numbers of the origin that all rays need, for both mirrored frames.
 struct Frames {
   hn::Vec<Reals> x[2], y[2], limit, error;
-  hn::Vec<Ints> column[2], row[2], shift;
+  hn::Vec<Ints> column[2], row[2], codes[2][2];
 
   explicit Frames(const ScanOrigin& origin) {
     const auto stride = static_cast<std::uint32_t>(origin.stride);
@@ -99,8 +101,9 @@ struct Frames {
       const auto column_bits = static_cast<std::uint32_t>(origin.column[mirrored]) - bits;
       column[mirrored] = hn::Set(Ints(), static_cast<std::int32_t>(column_bits));
       row[mirrored] = hn::Set(Ints(), origin.row[mirrored]);
+      for (const int down : {0, 1})
+        codes[mirrored][down] = hn::Set(Ints(), origin.codes[mirrored][down]);
     }
-    shift = hn::Set(Ints(), static_cast<std::int32_t>(bits));
     const double size = static_cast<double>(origin.size_x) + origin.size_y;  // no ray is longer
     const float max_range = static_cast<float>(std::min(origin.limit, size));
     limit = hn::Set(Reals(), max_range);
@@ -124,10 +127,12 @@ void prepare(const Frames& frames, RayVector& rays) {
   const auto x = hn::IfThenElse(left, frames.x[1], frames.x[0]);
   const auto y = hn::IfThenElse(down, frames.y[1], frames.y[0]);
   const auto error = hn::MulAdd(hn::Set(real, 2e-7F), hn::Max(per_x, per_y), frames.error);
-  const auto column =
-      hn::IfThenElse(hn::RebindMask(integer, left), frames.column[1], frames.column[0]);
-  const auto row = hn::IfThenElse(hn::RebindMask(integer, down), frames.row[1], frames.row[0]);
-  const auto first = hn::Add(column, row);
+  const auto to_left = hn::RebindMask(integer, left), to_down = hn::RebindMask(integer, down);
+  const auto column = hn::IfThenElse(to_left, frames.column[1], frames.column[0]);
+  const auto row = hn::IfThenElse(to_down, frames.row[1], frames.row[0]);
+  const auto codes_left = hn::IfThenElse(to_down, frames.codes[1][1], frames.codes[1][0]);
+  const auto codes_right = hn::IfThenElse(to_down, frames.codes[0][1], frames.codes[0][0]);
+  const auto codes = hn::IfThenElse(to_left, codes_left, codes_right);
   hn::Store(dx, real, rays.dx);
   hn::Store(dy, real, rays.dy);
   hn::Store(per_x, real, rays.per_x);
@@ -138,22 +143,20 @@ void prepare(const Frames& frames, RayVector& rays) {
   hn::Store(hn::Mul(y, per_y), real, rays.t_of_y);
   hn::Store(hn::Sub(half, error), real, rays.margin);
   hn::Store(hn::Add(frames.limit, error), real, rays.reach);
-  hn::Store(first, integer, rays.first);
-  hn::Store(hn::Add(first, frames.shift), integer, rays.at);
+  hn::Store(hn::Add(column, row), integer, rays.first);
+  hn::Store(hn::DemoteTo(Codes(), codes), Codes(), rays.codes);
   hn::Store(zero, real, rays.cx);
   hn::Store(zero, real, rays.cy);
 }
 
-/// Gathers the codes of the cells: with instructions only where these are faster than loads.
+/// Gathers the codes of the cells: faster by loads than by the instructions for it.
 HWY_INLINE void look_up(const std::uint8_t* rectangles, RayVector& rays) {
-#if HWY_TARGET <= HWY_AVX3
-  const Ints integer;
-  const auto* words = reinterpret_cast<const std::int32_t*>(rectangles);
-  const auto codes = hn::GatherOffset(integer, words, hn::Load(integer, rays.at));
-  hn::Store(hn::And(codes, hn::Set(integer, 255)), integer, rays.codes);
-#else
-  for (int i = 0; i < kLanes; ++i) rays.codes[i] = rectangles[rays.at[i]];
-#endif
+  for (int i = 0; i < kLanes; ++i)
+    rays.codes[i] = rectangles[static_cast<std::uint32_t>(rays.at[i])];
+}
+
+HWY_INLINE hn::Vec<Ints> codes_of(const RayVector& rays) {
+  return hn::PromoteTo(Ints(), hn::Load(Codes(), rays.codes));
 }
 
 HWY_INLINE hn::Vec<Reals> extents_of(hn::Vec<Ints> codes) {
@@ -173,7 +176,7 @@ HWY_INLINE hn::Vec<Reals> extents_of(hn::Vec<Ints> codes) {
 HWY_INLINE bool step(std::int32_t stride, RayVector& rays) {
   const Reals real;
   const Ints integer;
-  const auto codes = hn::Load(integer, rays.codes);
+  const auto codes = codes_of(rays);
   const auto width = hn::And(codes, hn::Set(integer, 15)), height = hn::ShiftRight<4>(codes);
   const auto cx = hn::Load(real, rays.cx), cy = hn::Load(real, rays.cy);
   const auto far_x = hn::Add(cx, extents_of(width)), far_y = hn::Add(cy, extents_of(height));
@@ -207,15 +210,16 @@ HWY_INLINE bool step(std::int32_t stride, RayVector& rays) {
 void walk(const ScanOrigin& origin, int count, RayVector* vectors) {
   int active[kMaxVectors];
   for (int i = 0; i < count; ++i) active[i] = i;
-  while (count > 0) {
-    for (int i = 0; i < count; ++i) look_up(origin.rectangles, vectors[active[i]]);
+  while (true) {
     int next = 0;
     for (int i = 0; i < count; ++i) {
       const int vector = active[i];
       active[next] = vector;
       next += step(origin.stride, vectors[vector]) ? 1 : 0;
     }
+    if (next == 0) return;
     count = next;
+    for (int i = 0; i < count; ++i) look_up(origin.rectangles, vectors[active[i]]);
   }
 }
 
@@ -227,7 +231,7 @@ void find_faces(const RayVector& rays, std::int32_t* faces) {
   const auto tx = hn::MulSub(cx, hn::Load(real, rays.per_x), hn::Load(real, rays.t_of_x));
   const auto ty = hn::MulSub(cy, hn::Load(real, rays.per_y), hn::Load(real, rays.t_of_y));
   const auto face = hn::NearestInt(hn::IfThenElse(hn::Gt(tx, ty), cx, hn::Neg(cy)));
-  const auto hit = hn::Eq(hn::Load(integer, rays.codes), hn::Zero(integer));
+  const auto hit = hn::Eq(codes_of(rays), hn::Zero(integer));
   const auto beyond = hn::Ge(hn::Load(real, rays.exit), hn::Load(real, rays.reach));
   const auto open =
       hn::IfThenElse(hn::RebindMask(integer, beyond), hn::Set(integer, RayChunk::kNothing),

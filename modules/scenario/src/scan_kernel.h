@@ -13,10 +13,10 @@ struct ScanOrigin {
   double limit, max_range;         ///< the same in cells and in m
   double resolution;               ///< m
   std::int32_t column[2], row[2];  ///< their sum is the index of the origin's cell in the table
+  std::uint8_t codes[2][2];        ///< of the free rectangles there, by mirrored x and y
   std::int32_t stride;
   int size_x, size_y;  ///< of the grid
-  /// The table, readable three elements beyond the last cell; null if it has more than 2^31
-  /// elements: then no ray is certain.
+  /// The table; null if it has more than 2^31 elements: then no ray is certain.
   const std::uint8_t* rectangles;
 };
 

@@ -60,8 +60,7 @@ class RayCaster {
     const std::uint8_t* rectangles = nullptr;
   };
 
-  /// Elements of `rectangles_`: three more, so that a word can be read at the last cell.
-  std::size_t table_size() const { return 4 * plane_ + 3; }
+  std::size_t table_size() const { return 4 * plane_; }  ///< elements of `rectangles_`
   std::vector<std::uint8_t> free_rectangles(const Occupancy& occupancy) const;
   Ray make_ray(const mrpt::math::TPoint2D& origin, double cosine, double sine) const;
   bool starts_free(const Ray& ray) const;
