@@ -23,12 +23,20 @@ class RangeFinder::ReusedScan : public CObservation2DRangeScan {
     sensorLabel = label;
   }
 
+  /// loadFromVectors() calls functions for each ray.
   void fill(const std::vector<float>& ranges, mrpt::Clock::time_point time) {
-    valid_.resize(ranges.size());
+    if (getScanSize() != ranges.size()) {
+      resizeScanAndAssign(ranges.size(), 0, true);
+      valid_.assign(ranges.size(), 1);
+    }
     const float max_range = maxRange;  // a copy, which characters cannot alias
-    std::transform(ranges.begin(), ranges.end(), valid_.begin(),
-                   [max_range](float range) { return static_cast<char>(range < max_range); });
-    loadFromVectors(ranges.size(), ranges.data(), valid_.data());
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const auto valid = static_cast<char>(ranges[i] < max_range);
+      if (valid == valid_[i]) continue;
+      setScanRangeValidity(i, valid != 0);
+      valid_[i] = valid;
+    }
+    if (!ranges.empty()) std::copy(ranges.begin(), ranges.end(), &getScanRange(0));
     m_cachedMap.reset();
     timestamp = time;
   }
