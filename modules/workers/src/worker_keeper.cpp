@@ -187,15 +187,18 @@ class Keeper {
 
 }  // namespace
 
-void drop_descriptors(bool keep_stderr, int kept, int also_kept) {
+void drop_descriptors(bool keep_stderr, std::vector<int> kept) {
   const int null_device = open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (stream != STDERR_FILENO || !keep_stderr) dup2(null_device, stream);
-  const auto low = static_cast<unsigned>(std::min(kept, also_kept));
-  const auto high = static_cast<unsigned>(std::max(kept, also_kept));
-  close_range_of_descriptors(STDERR_FILENO + 1, low - 1);
-  close_range_of_descriptors(low + 1, high - 1);
-  close_range_of_descriptors(high + 1, ~0U);
+  std::sort(kept.begin(), kept.end());
+  unsigned first = STDERR_FILENO + 1;
+  for (const int one : kept) {
+    const auto number = static_cast<unsigned>(one);
+    close_range_of_descriptors(first, number - 1);
+    first = number + 1;
+  }
+  close_range_of_descriptors(first, ~0U);
 }
 
 WorkerKeeper::WorkerKeeper(bool keep_stderr, Serve serve)
@@ -245,7 +248,7 @@ void WorkerKeeper::begin() {
   if (process_ < 0) throw cannot_create("process", errno);
   if (process_ == 0) {
     const int socket = ends.far_end.number();
-    drop_descriptors(keep_stderr_, socket, socket);
+    drop_descriptors(keep_stderr_, {socket});
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     prctl(PR_SET_PDEATHSIG, SIGCONT);  // one that is stopped notices that the connection has ended
     sigset_t all, before;

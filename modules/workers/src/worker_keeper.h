@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <sys/types.h>
+#include <vector>
 
 namespace slalom {
 
@@ -53,7 +54,7 @@ class WorkerKeeper {
 
 /// Reduces a process that was just forked to what a worker needs: standard input is /dev/null,
 /// standard output (and standard error unless `keep_stderr`) are discarded, and all other
-/// descriptors except the two are closed.
-void drop_descriptors(bool keep_stderr, int kept, int also_kept);
+/// descriptors except `kept` are closed.
+void drop_descriptors(bool keep_stderr, std::vector<int> kept);
 
 }  // namespace slalom

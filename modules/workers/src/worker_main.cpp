@@ -38,14 +38,15 @@ Answer execute(const WorkItem& item, std::size_t index, SharedTaskLog& log, File
   }
 }
 
-/// Each line arrives, also if the process dies. Output that is shown is that of `keep_stderr`,
-/// since the program's own output may be data.
-void print_to(int file, bool keep_stderr) {
-  dup2(keep_stderr ? STDERR_FILENO : file, STDOUT_FILENO);
-  if (!keep_stderr) dup2(file, STDERR_FILENO);
-  close(file);
+/// Each line arrives, also if the process dies.
+void print_lines() {
   static char buffer[BUFSIZ];  // another one, since lines are not ended in one that is in use
   std::setvbuf(stdout, buffer, _IOLBF, sizeof buffer);
+}
+
+void print_to(int file) {
+  dup2(file, STDOUT_FILENO);
+  dup2(file, STDERR_FILENO);
 }
 
 /// A worker without its sandbox must not run a method.
@@ -58,7 +59,7 @@ void enter_sandbox(const std::string& scratch, std::vector<std::string> writable
 }  // namespace
 
 void serve_work_items(int socket, const WorkItem& item, const PoolOptions& options,
-                      const FileReceiver& receive_file, SharedTaskLog& log) {
+                      const FileReceiver& receive_file, const WorkerChannel (&channels)[2]) {
   // Interrupts are handled by the parent.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   limit_memory(static_cast<std::size_t>(options.limits.memory_mb * 1024 * 1024));
@@ -66,7 +67,10 @@ void serve_work_items(int socket, const WorkItem& item, const PoolOptions& optio
   Request request = {};
   FileDescriptor file;
   const SocketState connection(socket);
-  while (receive_request(socket, request, file)) {
+  for (std::size_t count = 1; receive_request(socket, request, file); ++count) {
+    const WorkerChannel& channel = channels[count % 2];
+    SharedTaskLog& log = *channel.log;
+    if (channel.output >= 0) print_to(channel.output);
     limit_cpu_time(options.limits.item_cpu_time);
     const Answer answer = execute(item, request.index, log, std::move(file), receive_file);
     std::cout.flush();
@@ -75,18 +79,26 @@ void serve_work_items(int socket, const WorkItem& item, const PoolOptions& optio
     if (!connection.restore()) log.retire_worker();
     if (!send_answer(socket, request, answer.kind, answer.payload))
       return log.report_disconnected();
+    while (log.is_retired()) pause();  // until this process is killed
   }
   if (options.hooks.at_end) options.hooks.at_end();
 }
 
 void serve_confined(const WorkerStart& start, const WorkItem& item, const PoolOptions& options,
                     const FileReceiver& receive_file) {
-  SharedTaskLog log(options.log_size, start.log.number());
-  drop_descriptors(options.keep_stderr, start.socket.number(), start.output.number());
-  print_to(start.output.number(), options.keep_stderr);
+  WorkerChannel channels[2];
+  for (int i : {0, 1}) {
+    channels[i].log = std::make_unique<SharedTaskLog>(options.log_size, start.logs[i].number());
+    if (!options.keep_stderr) channels[i].output = start.outputs[i].number();
+  }
+  drop_descriptors(options.keep_stderr,
+                   {start.socket.number(), start.outputs[0].number(), start.outputs[1].number()});
+  // The program's own standard output may be data.
+  print_to(options.keep_stderr ? STDERR_FILENO : start.outputs[1].number());
+  print_lines();
   if (options.limits.sandbox) enter_sandbox(start.scratch, options.limits.writable);
   if (!options.limits.network && !close_networks()) _exit(EXIT_FAILURE);
-  serve_work_items(start.socket.number(), item, options, receive_file, log);
+  serve_work_items(start.socket.number(), item, options, receive_file, channels);
 }
 
 }  // namespace slalom

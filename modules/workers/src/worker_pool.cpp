@@ -94,6 +94,27 @@ class Pool {
       else if (!inputs_.make_next())
         return;
     }
+    assign_ahead();
+  }
+
+  /// Assigns work items to workers that are not done yet: they do not wait for this process, which
+  /// may wait for a core itself. Not the last ones, for which any worker may be idle first.
+  void assign_ahead() {
+    if (options_.schedule.process_per_item) return;
+    while (count_ - next_ > 2 * max_busy_ && !inputs_.is_awaited(next_)) {
+      const std::size_t group = group_of(next_);
+      const auto found = std::find_if(workers_.begin(), workers_.end(), [&](const Worker& worker) {
+        return worker->wants_next() && worker->group() == group;
+      });
+      if (found == workers_.end()) return;
+      (*found)->assign_next(next_, inputs_.descriptor_for(next_));
+      ++next_;
+    }
+    if (inputs_.busy() == 0) inputs_.make_next();
+  }
+
+  std::size_t group_of(std::size_t index) const {
+    return options_.schedule.group ? options_.schedule.group(index) : 0;
   }
 
   std::size_t busy() const { return count(&WorkerProcess::busy) + inputs_.busy(); }
@@ -106,8 +127,7 @@ class Pool {
   }
 
   void assign(std::size_t index, bool fresh) {
-    const std::size_t group = options_.schedule.group ? options_.schedule.group(index) : 0;
-    worker_for(group, fresh).assign(index, inputs_.descriptor_for(index));
+    worker_for(group_of(index), fresh).assign(index, inputs_.descriptor_for(index));
   }
 
   std::size_t count(bool (WorkerProcess::*has)() const) const {
@@ -187,15 +207,20 @@ class Pool {
     // Asked once, after all answers that were read.
     const bool keeper_is_alive =
         !ready.empty() && (options_.schedule.trusted || keeper_.is_alive());
-    for (WorkerProcess* worker : ready) {
-      const std::size_t index = worker->last_item();
-      auto result = worker->receive(keeper_is_alive);
-      if (!result) continue;
-      if (result->status == WorkResult::Status::Crashed && worker->died_between_items())
-        restarted_.push_back(index);  // in a new process, whose death is the item's own
-      else
-        finish(index, std::move(*result));
-    }
+    for (WorkerProcess* worker : ready) do
+        receive(*worker, keeper_is_alive);
+      while (worker->has_answer());
+  }
+
+  void receive(WorkerProcess& worker, bool keeper_is_alive) {
+    const std::size_t index = worker.last_item();
+    auto result = worker.receive(keeper_is_alive);
+    if (!result) return;
+    if (const auto unstarted = worker.take_unstarted()) restarted_.push_back(*unstarted);
+    if (result->status == WorkResult::Status::Crashed && worker.died_between_items())
+      restarted_.push_back(index);  // in a new process, whose death is the item's own
+    else
+      finish(index, std::move(*result));
   }
 
   void finish(std::size_t index, WorkResult&& result) {

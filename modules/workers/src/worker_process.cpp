@@ -39,6 +39,38 @@ bool was_killed_by(int status, int signal) {
 
 }  // namespace
 
+void ReadChannel::clear() {
+  read_output();
+  printed_.clear();
+  printed_last_.clear();
+  left_out_ = 0;
+  log->clear();
+}
+
+void ReadChannel::read_output() {
+  constexpr std::size_t kHalf = kMaxOutput / 2;
+  constexpr int kMaxReads = 32;  // of a method that never ends to print
+  char chunk[65536];
+  for (int i = 0; i < kMaxReads && output; ++i) {
+    const ssize_t got = ::read(output.number(), chunk, sizeof chunk);
+    if (got <= 0) return;
+    const auto size = static_cast<std::size_t>(got);
+    const std::size_t first = std::min(size, kHalf - printed_.size());
+    printed_.append(chunk, first);
+    printed_last_.append(chunk + first, size - first);
+    if (printed_last_.size() <= kHalf) continue;
+    left_out_ += printed_last_.size() - kHalf;
+    printed_last_.erase(0, printed_last_.size() - kHalf);
+  }
+}
+
+std::string ReadChannel::take_output() {
+  read_output();
+  const std::string gap =
+      left_out_ == 0 ? "" : "\n... " + std::to_string(left_out_) + " bytes left out ...\n";
+  return printed_ + gap + printed_last_;
+}
+
 void WorkerProcess::start(std::size_t group) {
   SocketPair work, control;
   WorkerStart start;
@@ -54,20 +86,23 @@ void WorkerProcess::start(std::size_t group) {
   disconnected_ = has_died_ = false;
   group_ = group;
   assigned_ = 0;
+  next_.reset();
   died_between_items_ = false;
   buffer_.clear();
 }
 
 void WorkerProcess::start_kept(WorkerStart& start) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) throw cannot_create("pipe", errno);
-  output_ = FileDescriptor(ends[0]);
-  start.output = FileDescriptor(ends[1]);
-  fcntl(ends[1], F_SETFL, 0);             // methods do not expect that they cannot print
-  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // nor to wait for it; the system may not allow it
-  start.log = FileDescriptor(SharedTaskLog::make_file(options_.log_size));
-  if (!start.log) throw cannot_create("log", errno);
-  log_ = std::make_unique<SharedTaskLog>(options_.log_size, start.log.number());
+  for (const int i : {0, 1}) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0) throw cannot_create("pipe", errno);
+    channels_[i].output = FileDescriptor(ends[0]);
+    start.outputs[i] = FileDescriptor(ends[1]);
+    fcntl(ends[1], F_SETFL, 0);             // methods do not expect that they cannot print
+    fcntl(ends[1], F_SETPIPE_SZ, 1 << 19);  // nor to wait for it; the system may not allow it
+    start.logs[i] = FileDescriptor(SharedTaskLog::make_file(options_.log_size));
+    if (!start.logs[i]) throw cannot_create("log", errno);
+    channels_[i].log = std::make_unique<SharedTaskLog>(options_.log_size, start.logs[i].number());
+  }
   if (options_.limits.sandbox) start.scratch = make_scratch_folder();
   if (options_.limits.sandbox && start.scratch.empty())
     throw cannot_create("folder for temporary files", errno);
@@ -76,13 +111,15 @@ void WorkerProcess::start_kept(WorkerStart& start) {
 }
 
 void WorkerProcess::fork_trusted(const WorkerStart& start) {
-  log_ = std::make_unique<SharedTaskLog>(options_.log_size);
+  for (ReadChannel& channel : channels_)
+    channel.log = std::make_unique<SharedTaskLog>(options_.log_size);
   child_ = fork_process();
   if (child_ < 0) throw cannot_create("process", errno);
   if (child_ > 0) return;
-  drop_descriptors(options_.keep_stderr, start.socket.number(), start.control.number());
+  drop_descriptors(options_.keep_stderr, {start.socket.number(), start.control.number()});
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  serve_work_items(start.socket.number(), *trusted_item_, options_, receive_file_, *log_);
+  serve_work_items(start.socket.number(), *trusted_item_, options_, receive_file_,
+                   {{std::move(channels_[0].log)}, {std::move(channels_[1].log)}});
   _exit(0);
 }
 
@@ -93,20 +130,38 @@ bool WorkerProcess::is_sound() const {
 }
 
 void WorkerProcess::assign(std::size_t index, int file) {
-  read_output();  // printed between work items
-  printed_.clear();
-  printed_last_.clear();
-  left_out_ = 0;
-  nonce_ = std::uint64_t{random_()} << 32U | random_();
-  const Request request = {nonce_, index};
-  log_->clear();
-  heartbeats_ = 0;
-  item_ = index;
-  ++assigned_;
-  busy_ = true;
-  started_ = last_heartbeat_ = options_.hooks.clock();
+  begin_item(send(index, file));
+}
+
+bool WorkerProcess::wants_next() const {
+  constexpr double kShort = 0.05;  // s, many times what the parent needs for an answer
+  return busy_ && !ending_ && !next_ && assigned_ > 1 && duration_ < kShort;
+}
+
+void WorkerProcess::assign_next(std::size_t index, int file) {
+  next_ = send(index, file);
+}
+
+std::optional<std::size_t> WorkerProcess::take_unstarted() {
+  const std::optional<Request> request = std::exchange(next_, std::nullopt);
+  return request ? std::optional(std::size_t{request->index}) : std::nullopt;
+}
+
+/// Sends the request for the work item after the current one.
+Request WorkerProcess::send(std::size_t index, int file) {
+  channels_[(assigned_ + 1) % 2].clear();
+  const Request request = {std::uint64_t{random_()} << 32U | random_(), index};
   // The death of a worker is detected by the next receive().
   send_request(socket_.number(), request, file);
+  return request;
+}
+
+void WorkerProcess::begin_item(const Request& request) {
+  current_ = request;
+  ++assigned_;
+  heartbeats_ = 0;
+  busy_ = true;
+  started_ = last_heartbeat_ = options_.hooks.clock();
 }
 
 void WorkerProcess::add_events(std::vector<pollfd>& events) const {
@@ -150,30 +205,6 @@ void WorkerProcess::read_socket() {
   }
 }
 
-void WorkerProcess::read_output() {
-  constexpr std::size_t kHalf = kMaxOutput / 2;
-  constexpr int kMaxReads = 32;  // of a method that never ends to print
-  char chunk[65536];
-  for (int i = 0; i < kMaxReads && output_; ++i) {
-    const ssize_t got = ::read(output_.number(), chunk, sizeof chunk);
-    if (got <= 0) return;
-    const auto size = static_cast<std::size_t>(got);
-    const std::size_t first = std::min(size, kHalf - printed_.size());
-    printed_.append(chunk, first);
-    printed_last_.append(chunk + first, size - first);
-    if (printed_last_.size() <= kHalf) continue;
-    left_out_ += printed_last_.size() - kHalf;
-    printed_last_.erase(0, printed_last_.size() - kHalf);
-  }
-}
-
-std::string WorkerProcess::take_output() {
-  read_output();
-  const std::string gap =
-      left_out_ == 0 ? "" : "\n... " + std::to_string(left_out_) + " bytes left out ...\n";
-  return printed_ + gap + printed_last_;
-}
-
 std::optional<WorkResult> WorkerProcess::take_answer(bool keeper_is_alive) {
   AnswerHeader header = {};
   if (buffer_.size() < sizeof header) return std::nullopt;
@@ -182,7 +213,7 @@ std::optional<WorkResult> WorkerProcess::take_answer(bool keeper_is_alive) {
       header.kind == kDone || header.kind == kThrew || header.kind == kOutOfMemory;
   if (!is_known || header.size > kMaxPayload)
     return kill_with(Status::Crashed, "wrote invalid data to the worker's socket");
-  if (header.request.nonce != nonce_ || header.request.index != item_)
+  if (header.request.nonce != current_.nonce || header.request.index != current_.index)
     return kill_with(Status::Crashed, "sent an unsolicited reply");
   if (buffer_.size() < sizeof header + header.size) return std::nullopt;
   // A method may have killed the keeper and answered before it died with it.
@@ -191,19 +222,29 @@ std::optional<WorkResult> WorkerProcess::take_answer(bool keeper_is_alive) {
   std::string payload = buffer_.substr(sizeof header, header.size);
   if (header.kind == kThrew) return kill_with(Status::Threw, std::move(payload));
   if (header.kind == kOutOfMemory) return kill_with(Status::OutOfMemory, std::move(payload));
-  if (options_.hooks.is_valid && !options_.hooks.is_valid(item_, payload))
+  if (options_.hooks.is_valid && !options_.hooks.is_valid(current_.index, payload))
     return kill_with(Status::Crashed, kInvalidPayload);
-  const bool has_more = buffer_.size() > sizeof header + header.size;
-  buffer_.clear();
+  buffer_.erase(0, sizeof header + header.size);
   busy_ = false;
-  if (log_->is_retired() || has_more || disconnected_) begin_end();
-  return WorkResult{Status::Done, std::move(payload), "", "", take_output()};
+  duration_ = options_.hooks.clock() - started_;
+  WorkResult result{Status::Done, std::move(payload), "", "", channel().take_output()};
+  if (channel().log->is_retired() || !is_begin_of_next_answer(buffer_) || disconnected_)
+    begin_end();
+  else if (next_)
+    begin_item(*std::exchange(next_, std::nullopt));
+  return result;
+}
+
+/// Whether these bytes are what a process may have sent after an answer.
+bool WorkerProcess::is_begin_of_next_answer(const std::string& bytes) const {
+  return bytes.empty() ||
+         (next_ && std::memcmp(bytes.data(), &*next_, std::min(bytes.size(), sizeof *next_)) == 0);
 }
 
 std::string WorkerProcess::exceeded_limit() {
   // The clock is read first: a heartbeat in between must not count as missing.
   const double now = options_.hooks.clock();
-  const std::uint64_t heartbeats = log_->heartbeats();
+  const std::uint64_t heartbeats = channel().log->heartbeats();
   if (heartbeats != heartbeats_) {
     heartbeats_ = heartbeats;
     last_heartbeat_ = now;
@@ -227,8 +268,8 @@ std::optional<WorkResult> WorkerProcess::take_ended() {
   if (ending_ && !is_readable(control_.number(), 0)) return std::nullopt;
   ending_ = busy_ = false;
   control_ = FileDescriptor();
-  if (result_) result_->log = log_->contents();
-  if (result_) result_->output = take_output();
+  if (result_) result_->log = channel().log->contents();
+  if (result_) result_->output = channel().take_output();
   return std::exchange(result_, std::nullopt);
 }
 
@@ -245,14 +286,14 @@ std::optional<WorkResult> WorkerProcess::describe_end() {
   const std::optional<int> ended = end_status();
   if (!ended) return kill_with(Status::Killed, kKeeperKilled);
   const int status = *ended;
-  died_between_items_ = assigned_ > 1 && log_->heartbeats() == 0;
+  died_between_items_ = assigned_ > 1 && channel().log->heartbeats() == 0;
   if (status == kNoWorker) throw cannot_create("process", EAGAIN);
   if (was_killed_by(status, SIGXCPU))
     return kill_with(
         Status::TimedOut,
         "CPU time limit of " + format_number(options_.limits.item_cpu_time) + " s exceeded");
   if (was_killed_by(status, SIGKILL)) return kill_with(Status::Killed, describe_status(status));
-  if (log_->is_disconnected())
+  if (channel().log->is_disconnected())
     return kill_with(Status::Crashed, "closed the worker's connection to the simulator");
   return kill_with(Status::Crashed, describe_status(status));
 }
@@ -260,6 +301,7 @@ std::optional<WorkResult> WorkerProcess::describe_end() {
 void WorkerProcess::begin_end() {
   if (!socket_) return;
   socket_ = FileDescriptor();
+  buffer_.clear();
   ending_ = keeper_ != nullptr;
   if (ending_) shutdown(control_.number(), SHUT_WR);
   if (child_ > 0) kill(child_, SIGKILL);

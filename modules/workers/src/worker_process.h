@@ -15,6 +15,24 @@
 
 namespace slalom {
 
+/// The parent's end of a WorkerChannel.
+class ReadChannel {
+ public:
+  std::unique_ptr<SharedTaskLog> log;
+  FileDescriptor output;  ///< none: the output is not kept
+
+  void clear();  ///< for a work item: what is left was written between work items
+
+  /// Reads what the process has printed, so that it does not wait for room.
+  void read_output();
+  /// Returns what was printed since clear(), at most kMaxOutput bytes and a line on the rest.
+  std::string take_output();
+
+ private:
+  std::string printed_, printed_last_;  ///< the beginning and the end, of kMaxOutput / 2 each
+  std::size_t left_out_ = 0;            ///< bytes between them
+};
+
 /// A worker process and the sockets to it and to its keeper. The parent sends an index with a
 /// random number, the worker replies with both and the payload. Nothing that the worker sends is
 /// trusted.
@@ -34,7 +52,7 @@ class WorkerProcess {
   bool busy() const { return busy_ || ending_; }
   bool idle() const { return alive() && !busy_; }
   std::size_t group() const { return group_; }
-  std::size_t last_item() const { return item_; }  ///< the current one if busy
+  std::size_t last_item() const { return current_.index; }  ///< the current one if busy
 
   /// Whether an idle process is alive and has sent no unsolicited reply.
   bool is_sound() const;
@@ -47,13 +65,20 @@ class WorkerProcess {
   /// With a descriptor for the FileReceiver, or -1. It stays open here.
   void assign(std::size_t index, int file = -1);
 
+  /// Whether it is busy with work items so short that it is worth to have the next one there.
+  bool wants_next() const;
+  /// Assigns a work item that begins when the current one ends.
+  void assign_next(std::size_t index, int file);
+  /// The next work item, if the process ended before it could begin.
+  std::optional<std::size_t> take_unstarted();
+
   /// Adds the descriptors that become readable when read() is to be called.
   void add_events(std::vector<pollfd>& events) const;
 
   /// Reads what the process has sent.
   void read();
-  /// Reads what it has printed, so that it does not wait for room.
-  void read_output();
+  void read_output() { channel().read_output(); }
+  bool has_answer() const;  ///< all of it, or nonsense
   /// The result when, by what was read, the work item is done or its process has died, or when it
   /// was killed at a time limit. An answer counts only if the keeper was alive after read(). Waits,
   /// if the process is killed, until it and whatever it started have ended.
@@ -74,8 +99,10 @@ class WorkerProcess {
   void start_kept(WorkerStart& start);
   void fork_trusted(const WorkerStart& start);
   void read_socket();
-  bool has_answer() const;  ///< all of it, or nonsense
-  std::string take_output();
+  Request send(std::size_t index, int file);
+  void begin_item(const Request& request);
+  ReadChannel& channel() { return channels_[assigned_ % 2]; }  ///< of the current work item
+  bool is_begin_of_next_answer(const std::string& bytes) const;
   std::optional<WorkResult> take_answer(bool keeper_is_alive);
   /// A description of the limit that was exceeded; empty if none.
   std::string exceeded_limit();
@@ -89,25 +116,24 @@ class WorkerProcess {
   WorkerKeeper* keeper_ = nullptr;
   const WorkItem* trusted_item_ = nullptr;
   FileReceiver receive_file_;
-  std::unique_ptr<SharedTaskLog> log_;
+  ReadChannel channels_[2];  ///< work items use them by turns
   std::random_device random_;
   pid_t child_ = -1;            ///< a trusted worker
   FileDescriptor socket_;       ///< to the worker
-  FileDescriptor output_;       ///< from the worker's standard output and error
   FileDescriptor control_;      ///< to the keeper or trusted worker: closed when the worker ends
   bool disconnected_ = false;   ///< the worker's end of the socket is closed
   bool has_died_ = false;       ///< by the last read()
   std::size_t generation_ = 0;  ///< of the keeper's process that has started this one
-  std::size_t group_ = 0, item_ = 0;
-  std::uint64_t nonce_ = 0;   ///< of the current work item
-  std::size_t assigned_ = 0;  ///< work items since start()
+  std::size_t group_ = 0;
+  Request current_ = {};         ///< the work item, also if it is done
+  std::optional<Request> next_;  ///< is there already
+  std::size_t assigned_ = 0;     ///< work items since start(), without the next one
   bool busy_ = false, ending_ = false, died_between_items_ = false;
   std::optional<WorkResult> result_;         ///< of the work item of a process that is ending
   double started_ = 0, last_heartbeat_ = 0;  ///< s, by the clock of the options
+  double duration_ = 0;                      ///< s, of the last work item
   std::uint64_t heartbeats_ = 0;
   std::string buffer_;
-  std::string printed_, printed_last_;  ///< the beginning and the end, of kMaxOutput / 2 each
-  std::size_t left_out_ = 0;            ///< bytes between them
 };
 
 }  // namespace slalom

@@ -77,7 +77,7 @@ class Message {
   }
 
  private:
-  static constexpr std::size_t kMaxFiles = 4;
+  static constexpr std::size_t kMaxFiles = 6;
 
   iovec part_;
   msghdr message_ = {};
@@ -102,8 +102,9 @@ bool receive_request(int socket, Request& request, FileDescriptor& file) {
 
 bool send_start(int socket, const WorkerStart& start) {
   std::string path = start.scratch;
-  const int files[] = {start.socket.number(), start.control.number(), start.log.number(),
-                       start.output.number()};
+  const int files[] = {start.socket.number(),     start.control.number(),
+                       start.logs[0].number(),    start.logs[1].number(),
+                       start.outputs[0].number(), start.outputs[1].number()};
   return Message(path.data(), path.size() + 1).send(socket, files);  // with the zero at its end
 }
 
@@ -114,8 +115,11 @@ KeeperRequest receive_keeper_request(int socket, WorkerStart& start) {
   if (size < 1) return KeeperRequest::End;
   if (size == sizeof kReply && path[0] == kReply) return KeeperRequest::Reply;
   std::vector<FileDescriptor> files = message.received_files();
-  if (files.size() != 4) return KeeperRequest::End;  // this process may not have as many
-  start = {std::move(files[0]), std::move(files[1]), std::move(files[2]), std::move(files[3]),
+  if (files.size() != 6) return KeeperRequest::End;  // this process may not have as many
+  start = {std::move(files[0]),
+           std::move(files[1]),
+           {std::move(files[2]), std::move(files[3])},
+           {std::move(files[4]), std::move(files[5])},
            path};
   return KeeperRequest::Start;
 }

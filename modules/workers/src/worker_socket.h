@@ -5,6 +5,7 @@
 
 #include <slalom/core/error.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -29,14 +30,14 @@ constexpr char kDone = 'D';
 constexpr char kThrew = 'E';
 constexpr char kOutOfMemory = 'M';
 
-/// File descriptors that a worker is started with. The worker keeps none of them but its end of the
-/// socket.
+/// File descriptors that a worker is started with. The worker keeps its end of the socket, and
+/// those of its outputs. Its work items use the two logs and outputs by turns.
 struct WorkerStart {
-  FileDescriptor socket;   ///< to the process that starts it
-  FileDescriptor control;  ///< for its keeper: see WorkerKeeper::start_worker()
-  FileDescriptor log;      ///< of SharedTaskLog::make_file()
-  FileDescriptor output;   ///< of a pipe: its standard output and error
-  std::string scratch;     ///< a folder of its own; "" if it has none
+  FileDescriptor socket;                  ///< to the process that starts it
+  FileDescriptor control;                 ///< for its keeper: see WorkerKeeper::start_worker()
+  std::array<FileDescriptor, 2> logs;     ///< of SharedTaskLog::make_file()
+  std::array<FileDescriptor, 2> outputs;  ///< of pipes: its standard output and error
+  std::string scratch;                    ///< a folder of its own; "" if it has none
 };
 
 /// Sends a request and with it a descriptor, unless it is -1 or the system does not allow it.

@@ -92,11 +92,11 @@ TEST_F(Inputs, AreNotMadeByProcessesThatExecuteWorkItems) {
   }
 }
 
-TEST_F(Inputs, LeaveAProcessWithNoDescriptorButItsSocket) {
+TEST_F(Inputs, LeaveAProcessWithNoDescriptorButItsSocketAndPipes) {
   for (const std::string& payload : run(6, [&](std::size_t, SharedTaskLog&) {
          return received() == "none" ? "no input" : std::to_string(open_files().size());
        }))
-    EXPECT_EQ(payload, "4");
+    EXPECT_EQ(payload, "6");
 }
 
 TEST_F(Inputs, AreThereForItemsOfReplacedProcesses) {
@@ -178,9 +178,10 @@ TEST_F(Inputs, AreReleasedWhenTheirWorkItemsAreFinished) {
   EXPECT_EQ(payloads.back(), "input 1999");
   EXPECT_EQ(made_.clock()(), 2000);
   EXPECT_EQ(open_files().size(), before);
-  // Two sockets of each process: of 2 makers and at most 3 others. Two inputs are made ahead of
-  // those of the 2 busy workers.
-  EXPECT_LE(most_open_ - before, 2 * (2 + 3) + 2 + 2U);
+  // A socket of the keeper; two of each of 2 makers and at most 3 workers, which have two pipes,
+  // too. Two inputs are made ahead of those of the 2 busy workers and of the items that these have
+  // next.
+  EXPECT_LE(most_open_ - before, 1 + 2 * 2 + 3 * (2 + 2) + 2 + 2 + 2U);
 }
 
 }  // namespace

@@ -89,6 +89,57 @@ TEST(WorkerPool, TheNextWorkItemBeginsBeforeAResultIsStored) {
   EXPECT_EQ(stored, (std::vector<std::string>{"0", "1"}));
 }
 
+TEST(WorkerPool, AWorkerBeginsAShortItemWithoutWaitingForTheParent) {
+  ManualTime time;  // shared memory: 1 s when item 5 has begun
+  const WallClock clock = time.clock();
+  const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
+    if (i == 5) time.advance(1);
+    return std::to_string(i);
+  };
+  std::vector<std::string> stored;
+  const auto store = [&](std::size_t, WorkResult&& result) {
+    // The parent knows neither that item 4, which began before this result is stored, is done.
+    while (result.payload == "3" && clock() < 1) usleep(500);
+    stored.push_back(result.payload);
+  };
+  EXPECT_TRUE(run_in_workers(8, with_workers(1), item, store, nullptr));
+  EXPECT_EQ(stored, (std::vector<std::string>{"0", "1", "2", "3", "4", "5", "6", "7"}));
+}
+
+TEST(WorkerPool, ItemsThatWaitInAWorkerKeepTheirOwnLogAndOutput) {
+  PoolOptions options = with_workers(2);
+  options.log_size = 100;
+  options.hooks.is_valid = [](std::size_t, const std::string& payload) { return payload != "bad"; };
+  const auto results = run_all(300, options, [](std::size_t i, SharedTaskLog& log) -> std::string {
+    const std::string number = std::to_string(i);
+    log.append(number.data(), number.size());
+    log.heartbeat();
+    std::printf("%s", number.c_str());
+    if (i % 17 == 5) std::fflush(stdout);
+    if (i % 17 == 5) std::_Exit(3);
+    return i % 17 == 9 ? "bad" : number;
+  });
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const bool fails = i % 17 == 5 || i % 17 == 9;
+    EXPECT_EQ(results[i].status, fails ? Status::Crashed : Status::Done) << i;
+    EXPECT_EQ(results[i].payload, fails ? "" : std::to_string(i));
+    EXPECT_EQ(results[i].log, fails ? std::to_string(i) : "");
+    EXPECT_EQ(results[i].output, std::to_string(i));
+  }
+}
+
+TEST(WorkerPool, ItemsThatWaitInAWorkerThatIsReplacedBeginOnceElsewhere) {
+  ManualTime begun;  // shared memory: seconds count the items that have begun
+  const auto results = run_all(300, with_workers(2), [&](std::size_t i, SharedTaskLog& log) {
+    begun.advance(1);
+    if (i % 7 == 3) log.retire_worker();
+    return "item " + std::to_string(i);
+  });
+  for (std::size_t i = 0; i < results.size(); ++i)
+    EXPECT_EQ(results[i].payload, "item " + std::to_string(i));
+  EXPECT_EQ(begun.clock()(), 300);
+}
+
 TEST(WorkerPool, ResultsArriveInOrderForAnyNumberOfWorkers) {
   const WorkItem item = [](std::size_t i, SharedTaskLog&) {
     usleep(i % 3 == 0 ? 3000 : 0);  // so that workers overtake each other
@@ -352,7 +403,11 @@ TEST(WorkerPool, AnInterruptKeepsTheResultsSoFar) {
 
 /// In a worker.
 int own_socket() {
-  return open_files().back();
+  for (const int file : open_files()) {
+    struct stat status = {};
+    if (fstat(file, &status) == 0 && S_ISSOCK(status.st_mode)) return file;
+  }
+  return -1;
 }
 
 /// Starts a process that has left the worker's process group, session and children.
@@ -371,7 +426,7 @@ pid_t start_daemon() {
   return daemon;
 }
 
-TEST(WorkerPool, AProcessHasNoDescriptorsButItsSocket) {
+TEST(WorkerPool, AProcessHasNoDescriptorsButItsSocketAndPipes) {
   const int files[] = {open("/dev/null", O_RDONLY), open("/dev/null", O_RDONLY)};
   const auto results = run_all(4, with_workers(2), [](std::size_t, SharedTaskLog&) {
     char input[64] = {};
@@ -380,21 +435,24 @@ TEST(WorkerPool, AProcessHasNoDescriptorsButItsSocket) {
            std::string(input, static_cast<std::size_t>(length));
   });
   for (const int file : files) close(file);
-  for (const WorkResult& result : results) EXPECT_EQ(result.payload, "4 /dev/null");
+  for (const WorkResult& result : results) EXPECT_EQ(result.payload, "6 /dev/null");
 }
 
 TEST(WorkerPool, OnlyTheAnswerToARequestIsTakenForIt) {
-  const auto results = run_all(5, with_workers(1), [](std::size_t i, SharedTaskLog&) {
+  // Also where the next work item is in the worker already.
+  const auto results = run_all(60, with_workers(1), [](std::size_t i, SharedTaskLog&) {
     const std::uint64_t forged[] = {1, i, 0, 'D'};  // the nonce, index, size and kind of an answer
-    if (i == 1) send(own_socket(), forged, sizeof forged, 0);
-    if (i == 3) send(own_socket(), std::string(99, 'x').data(), 99, 0);
+    if (i % 10 == 1) send(own_socket(), forged, sizeof forged, 0);
+    if (i % 10 == 3) send(own_socket(), std::string(99, 'x').data(), 99, 0);
     return "item " + std::to_string(i);
   });
-  EXPECT_EQ(results[1].status, Status::Crashed);
-  EXPECT_EQ(results[1].detail, "sent an unsolicited reply");
-  EXPECT_EQ(results[3].detail, "wrote invalid data to the worker's socket");
-  for (const std::size_t i : {0U, 2U, 4U})
-    EXPECT_EQ(results[i].payload, "item " + std::to_string(i));
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_EQ(results[i].status, i % 10 == 1 || i % 10 == 3 ? Status::Crashed : Status::Done);
+    EXPECT_EQ(results[i].detail, i % 10 == 1   ? "sent an unsolicited reply"
+                                 : i % 10 == 3 ? "wrote invalid data to the worker's socket"
+                                               : "");
+    EXPECT_EQ(results[i].payload, results[i].detail.empty() ? "item " + std::to_string(i) : "");
+  }
 }
 
 TEST(WorkerPool, AWorkItemThatForksAnswersOnce) {
