@@ -207,9 +207,10 @@ class Pool {
     // Asked once, after all answers that were read.
     const bool keeper_is_alive =
         !ready.empty() && (options_.schedule.trusted || keeper_.is_alive());
-    for (WorkerProcess* worker : ready) do
-        receive(*worker, keeper_is_alive);
-      while (worker->has_answer());
+    for (WorkerProcess* worker : ready) {
+      receive(*worker, keeper_is_alive);
+      while (worker->has_answer()) receive(*worker, keeper_is_alive);
+    }
   }
 
   void receive(WorkerProcess& worker, bool keeper_is_alive) {

@@ -73,41 +73,44 @@ TEST(WorkerPool, UnorderedResultsArriveWhileAnEarlierWorkItemTakesLong) {
   EXPECT_EQ(arrived, (std::vector<std::string>{"1", "0"}));
 }
 
-TEST(WorkerPool, TheNextWorkItemBeginsBeforeAResultIsStored) {
-  ManualTime time;  // shared memory: 1 s when item 1 has begun
-  const WallClock clock = time.clock();
+/// All work items count as short: the clock of the pool stands still.
+PoolOptions with_short_items(int workers) {
+  PoolOptions options = with_workers(workers);
+  options.hooks.clock = [] { return 0.0; };
+  return options;
+}
+
+/// The results of `count` work items in one worker, as they are stored: that of item `waiting` only
+/// when item `awaited` has begun.
+std::vector<std::string> stored_results(std::size_t count, std::size_t waiting,
+                                        std::size_t awaited) {
+  ManualTime begun;  // shared memory: 1 s when the awaited item has begun
+  const WallClock clock = begun.clock();
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
-    if (i == 1) time.advance(1);
+    if (i == awaited) begun.advance(1);
     return std::to_string(i);
   };
   std::vector<std::string> stored;
-  const auto store = [&](std::size_t, WorkResult&& result) {
-    while (clock() < 1) usleep(500);
+  const auto store = [&](std::size_t i, WorkResult&& result) {
+    while (i == waiting && clock() < 1) usleep(500);
     stored.push_back(result.payload);
   };
-  EXPECT_TRUE(run_in_workers(2, with_workers(1), item, store, nullptr));
-  EXPECT_EQ(stored, (std::vector<std::string>{"0", "1"}));
+  EXPECT_TRUE(run_in_workers(count, with_short_items(1), item, store, nullptr));
+  return stored;
+}
+
+TEST(WorkerPool, TheNextWorkItemBeginsBeforeAResultIsStored) {
+  EXPECT_EQ(stored_results(2, 0, 1), (std::vector<std::string>{"0", "1"}));
 }
 
 TEST(WorkerPool, AWorkerBeginsAShortItemWithoutWaitingForTheParent) {
-  ManualTime time;  // shared memory: 1 s when item 5 has begun
-  const WallClock clock = time.clock();
-  const WorkItem item = [&](std::size_t i, SharedTaskLog&) {
-    if (i == 5) time.advance(1);
-    return std::to_string(i);
-  };
-  std::vector<std::string> stored;
-  const auto store = [&](std::size_t, WorkResult&& result) {
-    // The parent knows neither that item 4, which began before this result is stored, is done.
-    while (result.payload == "3" && clock() < 1) usleep(500);
-    stored.push_back(result.payload);
-  };
-  EXPECT_TRUE(run_in_workers(8, with_workers(1), item, store, nullptr));
-  EXPECT_EQ(stored, (std::vector<std::string>{"0", "1", "2", "3", "4", "5", "6", "7"}));
+  // Item 5 begins after item 4, whose answer the parent reads only when result 3 is stored.
+  EXPECT_EQ(stored_results(8, 3, 5),
+            (std::vector<std::string>{"0", "1", "2", "3", "4", "5", "6", "7"}));
 }
 
 TEST(WorkerPool, ItemsThatWaitInAWorkerKeepTheirOwnLogAndOutput) {
-  PoolOptions options = with_workers(2);
+  PoolOptions options = with_short_items(2);
   options.log_size = 100;
   options.hooks.is_valid = [](std::size_t, const std::string& payload) { return payload != "bad"; };
   const auto results = run_all(300, options, [](std::size_t i, SharedTaskLog& log) -> std::string {
@@ -130,7 +133,7 @@ TEST(WorkerPool, ItemsThatWaitInAWorkerKeepTheirOwnLogAndOutput) {
 
 TEST(WorkerPool, ItemsThatWaitInAWorkerThatIsReplacedBeginOnceElsewhere) {
   ManualTime begun;  // shared memory: seconds count the items that have begun
-  const auto results = run_all(300, with_workers(2), [&](std::size_t i, SharedTaskLog& log) {
+  const auto results = run_all(300, with_short_items(2), [&](std::size_t i, SharedTaskLog& log) {
     begun.advance(1);
     if (i % 7 == 3) log.retire_worker();
     return "item " + std::to_string(i);
@@ -440,7 +443,7 @@ TEST(WorkerPool, AProcessHasNoDescriptorsButItsSocketAndPipes) {
 
 TEST(WorkerPool, OnlyTheAnswerToARequestIsTakenForIt) {
   // Also where the next work item is in the worker already.
-  const auto results = run_all(60, with_workers(1), [](std::size_t i, SharedTaskLog&) {
+  const auto results = run_all(60, with_short_items(1), [](std::size_t i, SharedTaskLog&) {
     const std::uint64_t forged[] = {1, i, 0, 'D'};  // the nonce, index, size and kind of an answer
     if (i % 10 == 1) send(own_socket(), forged, sizeof forged, 0);
     if (i % 10 == 3) send(own_socket(), std::string(99, 'x').data(), 99, 0);
