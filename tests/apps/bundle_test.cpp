@@ -112,10 +112,16 @@ TEST_F(Bundles, OfASampleAreVerifiedWithItsChoice) {
   picked.scenario = [](std::size_t number) { return number % 2 == 0; };
   forge(picked, {}, "all/runs.results");
   expect_found("of 20 are not those that --quick chooses");
-  // A statement of a sample that nobody could choose again.
-  for (const char* quick : {"20 of 40 scenarios, stratified by my wish", "19 of 40", "all"}) {
-    forge({[&](Manifest& manifest) { manifest["quick"] = quick; }}, {}, "sample/runs.results");
-    expect_found(std::string("its manifest states quick = ") + quick + ", its campaign has ");
+  // Statements of samples that nobody could choose again.
+  const std::vector<std::pair<std::string, std::string>> impossible = {
+      {"20 of 40 scenarios, stratified by my wish",
+       "this version of Slalom chooses 20 of 40 scenarios, stratified by turn_density"},
+      {"19 of 40", "--quick 19: too few"},
+      {"all", "--quick 0: too few"}};
+  for (const auto& [quick, problem] : impossible) {
+    const std::string text = quick;
+    forge({[&](Manifest& manifest) { manifest["quick"] = text; }}, {}, "sample/runs.results");
+    expect_found("its manifest states quick = " + quick + "; " + problem);
   }
 }
 

@@ -55,16 +55,17 @@ bool differs_in_folders(const IdentityDifference& difference, const Manifest& re
   return here == there;
 }
 
-/// Leaves the scenarios of the sample that a manifest states as `text`. Returns how this version of
-/// Slalom would state it, or why no sample is so.
+/// Leaves the scenarios of the sample that a manifest states as `text`. Returns why that cannot be:
+/// "" if it can.
 std::string choose_again(const std::string& text, const CampaignConfig& config, int jobs,
                          Progress& progress, std::vector<Scenario>& scenarios) try {
   long long size = 0;
   parse_integer(text.substr(0, text.find(' ')), size);
   const int wanted = static_cast<int>(std::clamp(size, 0LL, 1LL * INT_MAX));
   const QuickSample sample = choose_quick_sample(scenarios, wanted, config, jobs, progress);
+  if (sample.text() != text) return "this version of Slalom chooses " + sample.text();
   scenarios = sampled_scenarios(sample, std::move(scenarios));
-  return sample.text();
+  return "";
 } catch (const Error& error) {
   if (error.kind() != ErrorKind::Usage) throw;
   return error.what();
@@ -148,9 +149,11 @@ ScenarioSet compare_scenarios(const ResultFile& file, const CampaignConfig& conf
   const bool sampled = quick != manifest.end();
   const std::string maker = sampled ? "--quick chooses" : "the campaign generates";
   if (sampled) {
-    const std::string here = choose_again(quick->second, config, jobs, progress, made);
-    if (here != quick->second)
-      set.differences.push_back(difference_text({"quick", here, quick->second}));
+    const std::string problem = choose_again(quick->second, config, jobs, progress, made);
+    if (!problem.empty()) {
+      set.differences.push_back("its manifest states quick = " + quick->second + "; " + problem);
+      return set;
+    }
   }
   std::set<std::string> expected;
   for (const Scenario& scenario : made) expected.insert(scenario.hash());
