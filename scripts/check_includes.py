@@ -42,8 +42,9 @@ class Sources:
     def read_modules(self, path):
         for name, arguments in MODULE.findall(path.read_text()):
             depends = re.search(r"\bDEPENDS\b([a-z_\s]*)", arguments)
-            self.folders[name] = self.unit(path)
-            self.allowed[self.unit(path)] = ["core"] + (depends.group(1).split() if depends else [])
+            unit = self.unit(path)
+            self.folders[name] = unit
+            self.allowed.setdefault(unit, ["core"]).extend(depends.group(1).split() if depends else [])
 
     def unit(self, path):
         """The folder of the module, adapter or program of a file."""

@@ -11,13 +11,13 @@
 #include <slalom/app/testbeds.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/campaign/shards.h>
-#include <slalom/commands/list_hash.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/campaign_identity.h>
+#include <slalom/io/list_hash.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/ompl/ompl_planner.h>

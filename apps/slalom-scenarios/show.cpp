@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
-#include <slalom/commands/list_hash.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/io/list_hash.h>
 #include <slalom/io/png_scene.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "chunk_data.h"
 #include "mcap_format.h"
 #include "wire_writer.h"
 
@@ -7,7 +6,9 @@
 #include <slalom/bags/ros_encoding.h>
 #include <slalom/core/version.h>
 
+#include <new>
 #include <zlib.h>
+#include <zstd.h>
 
 namespace slalom {
 namespace {
@@ -35,6 +36,16 @@ std::string record(McapRecord kind, const WireWriter& content) {
 /// An array or a map, which begins with its number of bytes.
 void add_list(WireWriter& writer, const WireWriter& list) {
   writer.text(list.bytes());
+}
+
+/// One frame of zstd.
+std::string compress_zstd(std::string_view bytes) {
+  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
+  if (ZSTD_isError(size) != 0) throw std::bad_alloc();
+  packed.resize(size);
+  return packed;
 }
 
 }  // namespace

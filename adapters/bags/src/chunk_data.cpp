@@ -63,15 +63,6 @@ std::string decompress_chunk(std::string_view method, std::string_view packed, s
   return out;
 }
 
-std::string compress_zstd(std::string_view bytes) {
-  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
-  const std::size_t size =
-      ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
-  if (ZSTD_isError(size) != 0) throw std::bad_alloc();
-  packed.resize(size);
-  return packed;
-}
-
 bool is_zstd(std::string_view bytes) {
   return starts_with(bytes, "\x28\xb5\x2f\xfd");
 }

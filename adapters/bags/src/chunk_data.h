@@ -16,9 +16,6 @@ constexpr std::uint64_t kMaxChunkSize = std::uint64_t(1) << 28;
 std::string decompress_chunk(std::string_view method, std::string_view packed, std::uint64_t size,
                              const BagPlace& place);
 
-/// Compresses bytes as one frame of zstd.
-std::string compress_zstd(std::string_view bytes);
-
 /// Whether bytes begin as a frame of zstd (RFC 8878, section 3.1.1).
 bool is_zstd(std::string_view bytes);
 

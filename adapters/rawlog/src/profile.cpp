@@ -59,9 +59,8 @@ Profile pooled(const Profile& a, const Profile& b) {
 }
 
 Interval profile_interval(const Profile& profile, double confidence) {
-  const double bound =
-      profile.deviance(profile.best) +
-      boost::math::quantile(distributions::FisherF(1, profile.freedom), confidence);
+  const double bound = profile.deviance(profile.best) +
+                       distributions::fisher_f_quantile(confidence, 1, profile.freedom);
   return {profile.best - distance(profile, bound, profile.lowest),
           profile.best + distance(profile, bound, profile.highest)};
 }

@@ -119,9 +119,8 @@ double noise_of(double variance, double quantum) {
 }
 
 Interval sigma_interval(double squares, double freedom, double quantum, double confidence) {
-  const distributions::ChiSquared distribution(freedom);
   const auto bound = [&](double fraction) {
-    return noise_of(squares / boost::math::quantile(distribution, fraction), quantum);
+    return noise_of(squares / distributions::chi_squared_quantile(fraction, freedom), quantum);
   };
   const double tail = 0.5 * (1 - confidence);
   Interval interval = {bound(1 - tail), bound(tail)};
@@ -133,8 +132,8 @@ Interval sigma_interval(double squares, double freedom, double quantum, double c
 /// Clopper and Pearson's.
 Interval exact_interval(double events, double n, double confidence) {
   const double tail = 0.5 * (1 - confidence);
-  return {distributions::Binomial::find_lower_bound_on_p(n, events, tail),
-          distributions::Binomial::find_upper_bound_on_p(n, events, tail)};
+  return {distributions::binomial_lower_bound(events, n, tail),
+          distributions::binomial_upper_bound(events, n, tail)};
 }
 
 }  // namespace

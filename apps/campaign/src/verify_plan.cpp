@@ -6,11 +6,11 @@
 #include <slalom/app/quick_sample.h>
 #include <slalom/app/testbeds.h>
 #include <slalom/campaign/shards.h>
-#include <slalom/commands/list_hash.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/find_run.h>
+#include <slalom/io/list_hash.h>
 #include <slalom/map_formats/map_import.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include "generation_state.h"
 
 #include <slalom/commands/generation_file.h>
-#include <slalom/commands/list_hash.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
 #include <slalom/core/read_file.h>
@@ -10,6 +9,7 @@
 #include <slalom/core/version.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/file_lock.h>
+#include <slalom/io/list_hash.h>
 
 #include <filesystem>
 

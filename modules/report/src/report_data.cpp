@@ -295,17 +295,17 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
   std::vector<const ValueColumn*> descriptors;
   for (const ValueColumn& column : runs.descriptors) descriptors.push_back(&column);
   ReportBuilder make(input, groups);
-  OrderedJson json = {{"format", kReportFormat},
-                      {"slalom", version()},
-                      {"campaign", campaign_name(runs.manifest)},
-                      {"confidence", input.options.analysis.confidence},
-                      {"z", boost::math::quantile(distributions::Normal(),
-                                                  0.5 + input.options.analysis.confidence / 2)},
-                      {"methods", make.methods()},
-                      {"outcomes", input.summary.outcomes},
-                      {"columns", make.columns()},
-                      {"metrics", quantities_json(repeatable_metrics(runs))},
-                      {"descriptors", quantities_json(descriptors)}};
+  OrderedJson json = {
+      {"format", kReportFormat},
+      {"slalom", version()},
+      {"campaign", campaign_name(runs.manifest)},
+      {"confidence", input.options.analysis.confidence},
+      {"z", distributions::normal_quantile(0.5 + input.options.analysis.confidence / 2)},
+      {"methods", make.methods()},
+      {"outcomes", input.summary.outcomes},
+      {"columns", make.columns()},
+      {"metrics", quantities_json(repeatable_metrics(runs))},
+      {"descriptors", quantities_json(descriptors)}};
   if (input.options.planned_runs > 0) json["planned_runs"] = input.options.planned_runs;
   json["selected"] = input.is_selected();
   json["headlines"] = make.headlines();

@@ -66,8 +66,7 @@ std::vector<MethodAbility> abilities_of(const ResultTable& table, const OutcomeM
   const OutcomeMatrix compared = outcomes_of(outcomes, comparable);
   const std::vector<double> solvers = solvers_of(compared);
   const auto residuals = rasch_residuals(compared, fit.abilities);
-  const double z =
-      boost::math::quantile(distributions::Normal(0, 1), 1 - test_level(confidence) / 2);
+  const double z = distributions::normal_quantile(1 - test_level(confidence) / 2);
   for (std::size_t i = 0; i < comparable.size(); ++i) {
     MethodAbility& method = methods[comparable[i]];
     const double ability = fit.abilities[i], half = z * fit.standard_errors[i];

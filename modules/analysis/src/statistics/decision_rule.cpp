@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "rule_text.h"
+
 #include <slalom/analysis/betting_test.h>
 #include <slalom/analysis/cell.h>
 #include <slalom/analysis/cell_text.h>
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <regex>
 #include <tuple>
 #include <utility>
 
@@ -115,22 +116,23 @@ std::string decision_text(const DecisionRule& rule, Decision decision) {
 
 DecisionRule parse_decision_rule(const std::string& text,
                                  const std::function<Range(const std::string&)>& range_of_metric) {
-  static const std::regex kRule(
-      R"(\s*compare\(\s*([^,\s]+)\s*,\s*([^,\s]+)\s*,\s*([^,\s)]+)\s*\)\s*)"
-      R"((decided(?:\s+within\s+(\S+))?|no\s+worse\s+than\s+(\S+))\s*)");
-  std::smatch found;
-  const bool matches = std::regex_match(text, found, kRule);
+  const auto found = match_rule(
+      text,
+      "[[:space:]]*compare\\([[:space:]]*([^,[:space:]]+)[[:space:]]*,[[:space:]]*([^,[:space:]]+)"
+      "[[:space:]]*,[[:space:]]*([^,[:space:])]+)[[:space:]]*\\)[[:space:]]*"
+      "(decided([[:space:]]+within[[:space:]]+([^[:space:]]+))?|"
+      "no[[:space:]]+worse[[:space:]]+than[[:space:]]+([^[:space:]]+))[[:space:]]*");
   DecisionRule rule;
-  if (matches) {
-    rule.no_worse = found[6].matched;
-    const auto& relevant = rule.no_worse ? found[6] : found[5];
-    if (relevant.matched && !parse_number(relevant, rule.relevant)) rule.relevant = 0;
+  if (found) {
+    rule.no_worse = (*found)[7].has_value();
+    const auto& relevant = rule.no_worse ? (*found)[7] : (*found)[6];
+    if (relevant && !parse_number(*relevant, rule.relevant)) rule.relevant = 0;
   }
-  if (!matches || !(rule.relevant > 0))
+  if (!found || !(rule.relevant > 0))
     throw usage_error("--until", "invalid stopping rule '" + text + "'", kExpected);
-  rule.metric = found[1];
-  rule.method = found[2];
-  rule.reference = found[3];
+  rule.metric = *(*found)[1];
+  rule.method = *(*found)[2];
+  rule.reference = *(*found)[3];
   rule.bound = bound_of(rule.metric, range_of_metric(rule.metric));
   if (rule.relevant >= rule.bound)
     throw usage_error("--until",

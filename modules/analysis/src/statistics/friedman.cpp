@@ -4,8 +4,6 @@
 #include <slalom/analysis/rank_statistics.h>
 #include <slalom/core/math.h>
 
-#include <boost/math/tools/roots.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,8 +38,7 @@ void add_statistics(FriedmanTest& test, const std::vector<double>& rank_sums, do
   const double scale = n * k * (k + 1) - ties / (k - 1);
   if (scale <= 0) return;  // all methods tied in every scenario
   test.chi_squared = 12 * squares / scale;
-  test.p =
-      boost::math::cdf(boost::math::complement(distributions::ChiSquared(k - 1), test.chi_squared));
+  test.p = distributions::chi_squared_survival(test.chi_squared, k - 1);
   const double rest = n * (k - 1) - test.chi_squared;
   if (rest <= 1e-12 * n * k) {
     test.iman_davenport_f = std::numeric_limits<double>::infinity();
@@ -49,8 +46,8 @@ void add_statistics(FriedmanTest& test, const std::vector<double>& rank_sums, do
     return;
   }
   test.iman_davenport_f = (n - 1) * test.chi_squared / rest;
-  test.iman_davenport_p = boost::math::cdf(boost::math::complement(
-      distributions::FisherF(k - 1, (k - 1) * (n - 1)), test.iman_davenport_f));
+  test.iman_davenport_p =
+      distributions::fisher_f_survival(test.iman_davenport_f, k - 1, (k - 1) * (n - 1));
 }
 
 /// Maximal groups of consecutive methods, in order of rank, within the critical difference.
@@ -80,10 +77,7 @@ std::vector<std::vector<std::size_t>> maximal_groups(const std::vector<double>& 
 
 double studentized_range_quantile(double alpha, std::size_t k) {
   const auto excess = [&](double q) { return range_probability(q, k) - (1 - alpha); };
-  std::uintmax_t max_iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-      excess, 1e-6, 40.0, boost::math::tools::eps_tolerance<double>(44), max_iterations);
-  return (bracket.first + bracket.second) / 2;
+  return distributions::find_root(excess, 1e-6, 40.0);
 }
 
 FriedmanTest friedman_test(const std::vector<std::vector<double>>& values, bool more_is_better,

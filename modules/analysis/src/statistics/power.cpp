@@ -16,9 +16,8 @@ double paired_t_power(double n, double relevant, double deviation, double alpha)
   if (n < 2) return 0;
   const double degrees = n - 1, shift = relevant / deviation * std::sqrt(n);
   if (shift > kCertain) return 1;
-  const double t = boost::math::quantile(distributions::StudentsT(degrees), 1 - alpha / 2);
-  const distributions::NonCentralT shifted(degrees, shift);
-  return boost::math::cdf(boost::math::complement(shifted, t)) + boost::math::cdf(shifted, -t);
+  const double t = distributions::students_t_quantile(1 - alpha / 2, degrees);
+  return distributions::noncentral_t_outside(t, degrees, shift);
 }
 
 std::size_t required_pairs(double relevant, double deviation, double alpha, double power) {

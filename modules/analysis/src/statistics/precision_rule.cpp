@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../text/text_grid.h"
+#include "rule_text.h"
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/precision_rule.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
-
-#include <regex>
 
 namespace slalom {
 namespace {
@@ -23,15 +22,15 @@ bool is_narrow_enough(const Cell& cell, double width) {
 }  // namespace
 
 PrecisionRule parse_precision_rule(const std::string& text) {
-  static const std::regex kRule(
-      R"(\s*interval\(\s*(\w+)\s*\)\s*<\s*([^\s]+)(?:\s+in\s+(.*\S))?\s*)");
-  std::smatch found;
+  const auto found = match_rule(
+      text,
+      "[[:space:]]*interval\\([[:space:]]*([[:alnum:]_]+)[[:space:]]*\\)[[:space:]]*<"
+      "[[:space:]]*([^[:space:]]+)([[:space:]]+in[[:space:]]+(.*[^[:space:]]))?[[:space:]]*");
   PrecisionRule rule;
-  if (!std::regex_match(text, found, kRule) || !parse_number(found[2], rule.width) ||
-      !(rule.width > 0))
+  if (!found || !parse_number(*(*found)[2], rule.width) || !(rule.width > 0))
     throw usage_error("--until", "invalid stopping rule '" + text + "'", kExpectedInterval);
-  rule.metric = found[1];
-  if (found[3].matched) rule.rows = parse_bin_spec(found[3], "--until");
+  rule.metric = *(*found)[1];
+  if (const auto& bins = (*found)[4]) rule.rows = parse_bin_spec(*bins, "--until");
   return rule;
 }
 

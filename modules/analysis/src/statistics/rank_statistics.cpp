@@ -108,7 +108,7 @@ RankCorrelation spearman(const std::vector<double>& x, const std::vector<double>
     result.interval = Interval{rho, rho};
     return result;
   }
-  const double z = boost::math::quantile(distributions::Normal(), 0.5 + confidence / 2);
+  const double z = distributions::normal_quantile(0.5 + confidence / 2);
   const double half = z * std::sqrt((1 + rho * rho / 2) / static_cast<double>(result.n - 3));
   result.interval = Interval{std::tanh(std::atanh(rho) - half), std::tanh(std::atanh(rho) + half)};
   return result;

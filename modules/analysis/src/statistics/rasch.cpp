@@ -284,8 +284,7 @@ std::optional<AndersenTest> andersen_test(const OutcomeMatrix& outcomes) {
   };
   test.statistic = std::max(0.0, 2 * (maximum(easy) + maximum(hard) - maximum(outcomes)));
   test.degrees = test.methods.size() - 1;
-  test.p = boost::math::cdf(boost::math::complement(
-      distributions::ChiSquared(static_cast<double>(test.degrees)), test.statistic));
+  test.p = distributions::chi_squared_survival(test.statistic, static_cast<double>(test.degrees));
   return test;
 }
 

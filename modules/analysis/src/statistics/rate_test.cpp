@@ -79,8 +79,8 @@ double failure_bound(std::size_t runs, std::size_t failures, double confidence) 
 
 double shown_confidence(std::size_t runs, std::size_t failures, double rate) {
   if (failures >= runs) return 0;
-  return cdf(complement(distributions::Binomial(static_cast<double>(runs), 1 - rate),
-                        static_cast<double>(failures)));
+  return distributions::binomial_survival(static_cast<double>(failures), static_cast<double>(runs),
+                                          1 - rate);
 }
 
 FixedSequence::FixedSequence(const Options& options) : options_(options) {

@@ -12,7 +12,7 @@ double mcnemar_exact(std::size_t only_a, std::size_t only_b) {
   const double n = static_cast<double>(only_a + only_b);
   if (n == 0) return 1;
   const double fewer = static_cast<double>(std::min(only_a, only_b));
-  return std::min(1.0, 2 * boost::math::cdf(distributions::Binomial(n, 0.5), fewer));
+  return std::min(1.0, 2 * distributions::binomial_cdf(fewer, n, 0.5));
 }
 
 Interval rate_difference_interval(double rate_a, double n_a, double rate_b, double n_b, double phi,

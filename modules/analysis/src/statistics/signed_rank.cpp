@@ -45,8 +45,7 @@ double normal_p(const std::vector<double>& ranks, double statistic) {
   const double n = static_cast<double>(ranks.size());
   const double variance = n * (n + 1) * (2 * n + 1) / 24 - sum_of_tie_terms(ranks) / 48;
   const double distance = std::max(0.0, std::abs(statistic - n * (n + 1) / 4) - 0.5);
-  return 2 * boost::math::cdf(
-                 boost::math::complement(distributions::Normal(), distance / std::sqrt(variance)));
+  return 2 * distributions::normal_survival(distance / std::sqrt(variance));
 }
 
 /// The number of pairwise means that are at most `limit`; `sorted` is increasing.
@@ -88,7 +87,7 @@ std::size_t rank_of_bound(std::size_t n, double confidence) {
   const double tail = (1 - confidence) / 2;
   const double size = static_cast<double>(n);
   if (n > kMaxForExact) {
-    const double z = boost::math::quantile(distributions::Normal(), 0.5 + confidence / 2);
+    const double z = distributions::normal_quantile(0.5 + confidence / 2);
     return static_cast<std::size_t>(size * (size + 1) / 4 -
                                     z * std::sqrt(size * (size + 1) * (2 * size + 1) / 24));
   }

@@ -139,7 +139,7 @@ std::optional<double> standard_deviation(const std::vector<double>& values) {
 }
 
 Interval wilson_interval(double rate, double n, double confidence) {
-  const double z = boost::math::quantile(distributions::Normal(), 0.5 + confidence / 2);
+  const double z = distributions::normal_quantile(0.5 + confidence / 2);
   const double shrink = 1 + z * z / n;
   const double center = (rate + z * z / (2 * n)) / shrink;
   const double half = z / shrink * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
@@ -176,7 +176,7 @@ Interval rate_interval(const GroupMoments& groups, double confidence) {
   double runs = effective_sample_size(groups);
   if (k > 1 && k < n) {
     const auto quantile_of = [confidence](double freedom) {
-      return boost::math::quantile(distributions::StudentsT(freedom), 0.5 + confidence / 2);
+      return distributions::students_t_quantile(0.5 + confidence / 2, freedom);
     };
     const double ratio = quantile_of(n - 1) / quantile_of(k - 1);
     runs = std::max(k, runs * ratio * ratio);
@@ -186,8 +186,7 @@ Interval rate_interval(const GroupMoments& groups, double confidence) {
 
 std::optional<Interval> t_interval(const GroupMoments& groups, double confidence) {
   if (groups.groups < 2) return std::nullopt;
-  const distributions::StudentsT distribution(groups.groups - 1);
-  const double half = boost::math::quantile(distribution, 0.5 + confidence / 2) *
+  const double half = distributions::students_t_quantile(0.5 + confidence / 2, groups.groups - 1) *
                       std::sqrt(variance_of_mean(groups));
   return Interval{groups.mean - half, groups.mean + half};
 }

@@ -75,8 +75,8 @@ StratifiedRate stratified_rate(const Strata& strata, const Allocation& sampled,
     result.rate += weight * successes[i] / k;
     variance += weight * weight * rate * (1 - rate) / k * (1 - k / size);
   }
-  const double half = std::sqrt(variance) * boost::math::quantile(distributions::Normal(0, 1),
-                                                                  1 - test_level(confidence) / 2);
+  const double half =
+      std::sqrt(variance) * distributions::normal_quantile(1 - test_level(confidence) / 2);
   result.interval = {std::max(0.0, result.rate - half), std::min(1.0, result.rate + half)};
   return result;
 }

@@ -92,7 +92,7 @@ std::vector<CurvePoint> cumulative_incidence(std::vector<TimedEnd> ends, int cau
 std::optional<Interval> log_log_interval(double fraction, double standard_error,
                                          double confidence) {
   if (fraction <= 0 || fraction >= 1) return std::nullopt;
-  const double z = boost::math::quantile(distributions::Normal(), 0.5 + confidence / 2);
+  const double z = distributions::normal_quantile(0.5 + confidence / 2);
   const double spread = z * standard_error / (fraction * std::abs(math::log(fraction)));
   const double lower = math::pow(fraction, math::exp(spread)),
                upper = math::pow(fraction, math::exp(-spread));

@@ -10,7 +10,7 @@
 namespace slalom {
 namespace {
 
-constexpr std::size_t kMaxForExact = 100;
+constexpr std::size_t kMaxExactRuns = 100;
 
 /// The number of subsets of `size` of the integers `ranks`, by their sum.
 std::vector<double> subsets_by_sum(const std::vector<std::size_t>& ranks, std::size_t size) {
@@ -48,8 +48,7 @@ double normal_p(const std::vector<double>& ranks, double m, double n, double sta
   const double variance = m * n / 12 * (size + 1 - sum_of_tie_terms(ranks) / (size * (size - 1)));
   if (variance <= 0) return 1;
   const double distance = std::max(0.0, std::abs(statistic - m * n / 2) - 0.5);
-  return 2 * boost::math::cdf(
-                 boost::math::complement(distributions::Normal(), distance / std::sqrt(variance)));
+  return 2 * distributions::normal_survival(distance / std::sqrt(variance));
 }
 
 double square(double x) {
@@ -94,7 +93,7 @@ RankSumTest rank_sum_test(const std::vector<double>& a, const std::vector<double
       std::accumulate(ranks.begin(), ranks.begin() + static_cast<std::ptrdiff_t>(a.size()), 0.0);
   RankSumTest test;
   test.statistic = rank_sum - m * (m + 1) / 2;
-  test.exact = all.size() <= kMaxForExact;
+  test.exact = all.size() <= kMaxExactRuns;
   test.p = test.exact ? exact_p(ranks, a.size(), rank_sum) : normal_p(ranks, m, n, test.statistic);
   return test;
 }
@@ -108,8 +107,7 @@ std::optional<Interval> welch_interval(const std::vector<double>& a, const std::
   if (va + vb <= 0) return Interval{difference, difference};
   const double freedom = square(va + vb) / (square(va) / (m - 1) + square(vb) / (n - 1));
   const double half =
-      boost::math::quantile(distributions::StudentsT(freedom), 0.5 + confidence / 2) *
-      std::sqrt(va + vb);
+      distributions::students_t_quantile(0.5 + confidence / 2, freedom) * std::sqrt(va + vb);
   return Interval{difference - half, difference + half};
 }
 

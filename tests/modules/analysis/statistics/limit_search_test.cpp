@@ -99,7 +99,7 @@ Value quantile(const std::vector<Value>& sorted, double q) {
 
 /// Whether a probability of at most `p` may have given so many, at 97.5 % (Clopper-Pearson).
 bool may_be(int count, int n, double p) {
-  return distributions::Binomial::find_lower_bound_on_p(n, count, 0.025) <= p;
+  return distributions::binomial_lower_bound(count, n, 0.025) <= p;
 }
 
 TEST(FindLimit, FindsASharpThreshold) {

@@ -121,7 +121,7 @@ std::size_t reached_steps(const std::vector<double>& rates, RandomEngine& engine
 
 /// Whether a probability of at most `p` may have given so many of n, at 97.5 % (Clopper-Pearson).
 bool is_possible(int count, int n, double p) {
-  return distributions::Binomial::find_lower_bound_on_p(n, count, 0.025) <= p;
+  return distributions::binomial_lower_bound(count, n, 0.025) <= p;
 }
 
 TEST(FixedSequence, ClaimsAStepBelowTheRateAsRarelyAsItsConfidenceSays) {

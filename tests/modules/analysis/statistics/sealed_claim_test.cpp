@@ -82,7 +82,7 @@ TEST(SealedClaim, TheIntervalOfTheDifferenceAgreesWithTheVerdict) {
 
 /// Smallest probability that a rate may have that was observed as `count` of `n` (97.5 %).
 double at_least(int count, int n) {
-  return distributions::Binomial::find_lower_bound_on_p(n, count, 0.025);
+  return distributions::binomial_lower_bound(count, n, 0.025);
 }
 
 TEST(SealedClaim, IsRarelyBetterWithoutADifference) {
@@ -173,7 +173,7 @@ TEST(SealedClaim, ATunedConfigurationIsRarelyBetterWhereNoneIs) {
     better += claim.verdict() == TuneVerdict::Better ? 1 : 0;
   }
   // The largest rate that may give so many, at 95 %.
-  EXPECT_LE(distributions::Binomial::find_upper_bound_on_p(repeats, better, 0.05), 0.065) << better;
+  EXPECT_LE(distributions::binomial_upper_bound(better, repeats, 0.05), 0.065) << better;
   // One of about six finalists: a search alone replaces the default by noise.
   EXPECT_LT(keeps_default, repeats / 2);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <slalom/commands/list_hash.h>
 #include <slalom/core/hash.h>
+#include <slalom/io/list_hash.h>
 
 #include <algorithm>
 

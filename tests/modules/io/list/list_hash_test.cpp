@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "list_sample.h"
 
-#include <slalom/commands/list_hash.h>
+#include <slalom/io/list_hash.h>
 
 #include <gtest/gtest.h>
 
