@@ -9,6 +9,11 @@
 #include <vector>
 
 namespace slalom {
+namespace {
+
+std::string stated_folder;
+
+}  // namespace
 
 std::string resolve_plugin_path(const std::string& plugin, const std::string& folder,
                                 const std::string& where) {
@@ -16,7 +21,12 @@ std::string resolve_plugin_path(const std::string& plugin, const std::string& fo
                              {shipped_folder(), program_folder() + "/../lib"});
 }
 
+void set_shipped_folder(const std::string& folder) {
+  stated_folder = folder;
+}
+
 std::string shipped_folder() {
+  if (!stated_folder.empty()) return stated_folder;
   return (std::filesystem::path(program_folder()) / "../lib/slalom").string();
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "planner_list.h"
+
 #include <slalom/ompl/ompl_planner.h>
 
 namespace slalom {
@@ -13,6 +15,16 @@ void OmplOptions::visit(OptionVisitor& v) {
   v.option("max_pose_iterations", max_pose_iterations, "-",
            "the same for planning poses: polygons and car-like robots", Range::at_least(1));
   v.option("max_time", max_time, "s", "wall-clock limit of the planner", Range::positive());
+}
+
+std::vector<std::string> planner_names() {
+  std::vector<std::string> names = {kExactPlanner};
+  names.insert(names.end(), kOmplPlanners.begin(), kOmplPlanners.end());
+  return names;
+}
+
+std::string ompl_version() {
+  return SLALOM_OMPL_VERSION;
 }
 
 }  // namespace slalom

@@ -41,6 +41,7 @@ ob::PlannerPtr make(const ob::SpaceInformationPtr& space) {
   return std::make_shared<Planner>(space);
 }
 
+/// Makers of the planners in kOmplPlanners.
 const std::map<std::string, PlannerMaker>& planners() {
   static const std::map<std::string, PlannerMaker> makers = {
       {"ABITstar", make<og::ABITstar>},
@@ -184,12 +185,6 @@ class PosePlanner : public ReferencePlanner {
 
 }  // namespace
 
-std::vector<std::string> planner_names() {
-  std::vector<std::string> names = {kExactPlanner};
-  for (const auto& [name, maker] : planners()) names.push_back(name);
-  return names;
-}
-
 std::unique_ptr<ReferencePlanner> make_ompl_planner(const OmplOptions& options,
                                                     const RobotModel& robot) {
   if (robot.min_turning_radius > 0 || !robot.shape().is_disc())
@@ -197,11 +192,4 @@ std::unique_ptr<ReferencePlanner> make_ompl_planner(const OmplOptions& options,
   if (options.planner == kExactPlanner) return nullptr;
   return std::make_unique<OmplPlanner>(options);
 }
-
-/// Composed of its parts, because OMPL_VERSION is empty in Debian's package.
-std::string ompl_version() {
-  return std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
-         std::to_string(OMPL_PATCH_VERSION);
-}
-
 }  // namespace slalom

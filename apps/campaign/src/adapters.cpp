@@ -1,97 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/app/adapters.h>
-#include <slalom/core/options.h>
-#include <slalom/core/version.h>
+#include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
+#include <slalom/library/part.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/mrpt_nav/navigator_method.h>
 
-#ifdef SLALOM_WITH_LCM
-#include <slalom/lcm/lcm_method.h>
-#endif
-#ifdef SLALOM_WITH_ONNX
-#include <slalom/onnx/onnx_method.h>
-#endif
-#ifdef SLALOM_WITH_PYTHON
-#include <slalom/python/python_method.h>
-#endif
-#ifdef SLALOM_WITH_ROS2
-#include <slalom/ros2/ros2_method.h>
-#endif
+#include <algorithm>
 
 namespace slalom {
 namespace {
 
-struct Adapter {
-  const char* name;
-  MethodFactory (*read)(const IniFile& ini, const std::string& section);
-  void (*visit_options)(OptionVisitor& visitor);
-};
-
-template <typename Options>
-void options_of(OptionVisitor& visitor) {
-  Options().visit(visitor);
-}
-
-#ifdef SLALOM_WITH_LCM
-MethodFactory read_lcm(const IniFile& ini, const std::string& section) {
-  return read_lcm_method(ini, section);
-}
-#endif
-
-#ifdef SLALOM_WITH_ROS2
-MethodFactory read_ros2(const IniFile& ini, const std::string& section) {
-  return read_ros2_method(ini, section);
-}
-#endif
-
 /// A new adapter is registered here.
-constexpr Adapter kAdapters[] = {
-    {"mrpt_holonomic", read_holonomic_method, options_of<HolonomicOptions>},
-    {"mrpt_navigator", read_navigator_method, options_of<NavigatorOptions>},
-    {"library", read_library_method, options_of<LibraryOptions>},
-#ifdef SLALOM_WITH_PYTHON
-    {"python", read_python_method, options_of<PythonOptions>},
-#endif
-#ifdef SLALOM_WITH_ONNX
-    {"onnx", read_onnx_method, options_of<OnnxOptions>},
-#endif
-#ifdef SLALOM_WITH_LCM
-    {"lcm", read_lcm, options_of<LcmOptions>},
-#endif
-#ifdef SLALOM_WITH_ROS2
-    {"ros2", read_ros2, options_of<Ros2Options>},
-#endif
+constexpr MethodAdapter kAdapters[] = {
+    {"mrpt_holonomic", read_holonomic_method, visit_options_of<HolonomicOptions>,
+     holonomic_config_value, "config_set"},
+    {"mrpt_navigator", read_navigator_method, visit_options_of<NavigatorOptions>,
+     navigator_config_value, "config_set"},
+    {"library", read_library_method, visit_options_of<LibraryOptions>},
 };
 
-/// Adapters that are optional parts of a build, with their options of CMake.
-constexpr std::pair<const char*, const char*> kOptionalAdapters[] = {
-    {"lcm", "SLALOM_WITH_LCM"},
-    {"onnx", "SLALOM_WITH_ONNX"},
-    {"python", "SLALOM_WITH_PYTHON"},
-    {"ros2", "SLALOM_WITH_ROS2"}};
+/// Adapters that are loaded when they are first used: the libraries that they need are large.
+constexpr const char* kLoadedAdapters[] = {"python", "onnx", "lcm", "ros2"};
+
+const MethodAdapter& load_adapter(const std::string& name, const std::string& where) {
+  const auto get =
+      reinterpret_cast<GetMethodAdapter*>(find_in_part(name, "slalom_method_adapter", where));
+  return *get(fork_hooks());
+}
 
 }  // namespace
 
+const MethodAdapter* find_adapter(const std::string& name, const std::string& where) {
+  for (const MethodAdapter& adapter : kAdapters)
+    if (name == adapter.name) return &adapter;
+  const bool is_loaded = std::any_of(std::begin(kLoadedAdapters), std::end(kLoadedAdapters),
+                                     [&](const char* loaded) { return name == loaded; });
+  return is_loaded ? &load_adapter(name, where) : nullptr;
+}
+
 MethodRegistry all_adapters() {
   MethodRegistry registry;
-  for (const auto& [name, part] : kOptionalAdapters)
-    registry.add(name,
-                 [part = part](const IniFile& ini, const std::string& section) -> MethodFactory {
-                   throw not_built(ini.where(section, "adapter"), part);
-                 });
-  for (const Adapter& adapter : kAdapters) registry.add(adapter.name, adapter.read);
+  for (const MethodAdapter& adapter : kAdapters) registry.add(adapter.name, adapter.read);
+  for (const char* name : kLoadedAdapters)
+    registry.add(name, [name](const IniFile& ini, const std::string& section) {
+      return load_adapter(name, ini.where(section, "adapter")).read(ini, section);
+    });
   return registry;
 }
 
 void visit_adapter_options(
     const std::function<void(const std::function<void(OptionVisitor&)>&)>& visit) {
-  for (const Adapter& adapter : kAdapters)
+  const auto visit_one = [&](const MethodAdapter& adapter) {
     visit([&](OptionVisitor& v) {
       std::string name = adapter.name;
       v.option("adapter", name, "adapter of this method", {name});
       adapter.visit_options(v);
     });
+  };
+  for (const MethodAdapter& adapter : kAdapters) visit_one(adapter);
+  for (const char* name : kLoadedAdapters) {
+    const MethodAdapter* adapter = nullptr;
+    try {
+      adapter = &load_adapter(name, name);
+    } catch (const Error&) {
+      continue;  // was not built
+    }
+    visit_one(*adapter);
+  }
 }
 
 bool uses_network(const std::string& adapter) {
@@ -104,8 +81,8 @@ External external_use(const IniFile& ini, const std::string& section, const std:
     if (option.key == key) found = option.external;
   });
   const std::string name = ini.get(section, "adapter").value_or("");
-  for (const Adapter& adapter : kAdapters)
-    if (name == adapter.name) adapter.visit_options(find);
+  if (const MethodAdapter* adapter = find_adapter(name, ini.where(section, "adapter")))
+    adapter->visit_options(find);
   return found;
 }
 

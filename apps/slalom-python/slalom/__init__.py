@@ -536,12 +536,21 @@ def onnx(model: str, **options: Any) -> Dict[str, Any]:
     return {"adapter": "onnx", "model": os.path.abspath(model), "runtime": runtime, **options}
 
 
+def _shipped_folders() -> List[str]:
+    """Where Slalom's libraries may be: in a wheel, built, installed."""
+    package = os.path.dirname(os.path.abspath(__file__))
+    folders = ("bundle/lib/slalom", "../../slalom", "../../../slalom")
+    return [os.path.abspath(os.path.join(package, folder)) for folder in folders]
+
+
 def _find_plugin(library: str) -> str:
     """The path of a library: as given, or in the folders where Slalom's methods are."""
-    package = os.path.dirname(os.path.abspath(__file__))
-    # Folders: none, in a wheel, built, installed.
-    for folder in ("", "bundle/lib/slalom", "../../slalom", "../../../slalom"):
-        path = os.path.abspath(os.path.join(package if folder else "", folder, library))
+    for folder in ("", *_shipped_folders()):
+        path = os.path.abspath(os.path.join(folder, library))
         if os.path.isfile(path):
             return path
     return library
+
+
+if "_slalom" in globals():
+    _slalom.set_shipped_folder(next(filter(os.path.isdir, _shipped_folders()), ""))

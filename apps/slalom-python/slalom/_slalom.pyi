@@ -57,6 +57,7 @@ def generate(
     sections: Dict[str, Any],
     progress: Optional[Callable[[str, int, int], None]],
 ) -> List[Scenario]: ...
+def set_shipped_folder(folder: str) -> None: ...
 def evaluate(
     methods: Dict[str, Any],
     scenarios: Sequence[Scenario],

@@ -7,12 +7,18 @@
 namespace slalom {
 namespace {
 
-ForkHooks& fork_hooks() {
-  static ForkHooks hooks;
-  return hooks;
-}
+ForkHooks own_hooks;
+ForkHooks* shared_hooks = &own_hooks;
 
 }  // namespace
+
+void share_fork_hooks(ForkHooks& hooks) {
+  shared_hooks = &hooks;
+}
+
+ForkHooks& fork_hooks() {
+  return *shared_hooks;
+}
 
 void set_fork_hooks(const ForkHooks& hooks) {
   fork_hooks() = hooks;

@@ -46,7 +46,7 @@ std::string processor_name() {
 
 Error not_built(const std::string& where, const std::string& part) {
   return usage_error(where, "Slalom was built without this part",
-                     "a build by CMake with -D" + part + "=ON");
+                     "all targets of a build by CMake with -D" + part + "=ON");
 }
 
 }  // namespace slalom

@@ -41,8 +41,10 @@ std::string resolve_plugin_path(const std::string& plugin, const std::string& fo
 std::string resolve_plugin_path(const IniFile& ini, const std::string& section,
                                 const std::string& key);
 
-/// The folder of the libraries that are shipped with the programs.
+/// The folder of the libraries that are shipped with the programs: ../lib/slalom relative to the
+/// running program, unless a program that is not one of Slalom's states another one.
 std::string shipped_folder();
+void set_shipped_folder(const std::string& folder);
 
 /// The libraries that are shipped with the programs, by the names under which resolve_plugin_path()
 /// finds them; sorted.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/core/options.h>
+#include <slalom/methods/adapter.h>
 #include <slalom/methods/registry.h>
 
 #include <functional>
@@ -11,7 +12,12 @@ namespace slalom {
 /// All adapters, by name.
 MethodRegistry all_adapters();
 
-/// Calls `visit` for each adapter with the function that visits its keys in [method.NAME].
+/// The adapter of that name, null if there is none. Throws Error (Usage) at `where` if it is a part
+/// that was not built.
+const MethodAdapter* find_adapter(const std::string& name, const std::string& where);
+
+/// Calls `visit` for each adapter that was built with the function that visits its keys in
+/// [method.NAME].
 void visit_adapter_options(
     const std::function<void(const std::function<void(OptionVisitor&)>& visit_options)>& visit);
 

@@ -15,6 +15,10 @@ struct ForkHooks {
 /// For all later calls of fork_process(), also in forked processes. All three are set.
 void set_fork_hooks(const ForkHooks& hooks);
 
+/// The hooks of this program or library are those of `hooks` from now on.
+void share_fork_hooks(ForkHooks& hooks);
+ForkHooks& fork_hooks();
+
 /// fork() between the hooks, for processes that may use the interpreter; errno is fork()'s.
 pid_t fork_process();
 
