@@ -103,5 +103,5 @@ foreach(target IN LISTS SLALOM_FUZZ_TARGETS)
     COMMAND fuzz_${target} -max_total_time=8 -rss_limit_mb=2048 -timeout=10
             ${CMAKE_CURRENT_BINARY_DIR}/${target}_found ${CMAKE_CURRENT_SOURCE_DIR}/corpus/${target})
   file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${target}_found)
-  set_tests_properties(Fuzz.${target} PROPERTIES TIMEOUT 120 LABELS "fuzz;slow")
+  set_tests_properties(Fuzz.${target} PROPERTIES TIMEOUT ${SLALOM_TEST_TIMEOUT} LABELS "fuzz;slow")
 endforeach()

@@ -12,7 +12,7 @@ namespace slalom {
 namespace {
 
 constexpr char kSection[] = "tune";
-constexpr char kExpected[] = "LOW, HIGH[, log][, integer], or choices: A | B | ...";
+constexpr char kExpectedSpace[] = "LOW, HIGH[, log][, integer], or choices: A | B | ...";
 
 /// The parameter of one line of [tune], without its default.
 SpaceParameter parse_line(const std::string& name, const std::string& text,
@@ -26,10 +26,10 @@ SpaceParameter parse_line(const std::string& name, const std::string& text,
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() < 2 || !parse_number(parts[0], parameter.low) ||
       !parse_number(parts[1], parameter.high))
-    throw usage_error(where, "'" + text + "' is no range", kExpected);
+    throw usage_error(where, "'" + text + "' is no range", kExpectedSpace);
   for (std::size_t i = 2; i < parts.size(); ++i) {
     if (parts[i] != "log" && parts[i] != "integer")
-      throw usage_error(where, "'" + parts[i] + "' is unknown", kExpected);
+      throw usage_error(where, "'" + parts[i] + "' is unknown", kExpectedSpace);
     (parts[i] == "log" ? parameter.log : parameter.integer) = true;
   }
   return parameter;
@@ -123,7 +123,7 @@ ParameterSpace read_space(const MethodCampaign& campaign) {
     }
   if (parameters.empty())
     throw usage_error(campaign.method.where, "the method declares no ranges of its parameters",
-                      "[tune] with OPTION = " + std::string(kExpected));
+                      "[tune] with OPTION = " + std::string(kExpectedSpace));
   const OptionLocation where = [&](const std::string& name) {
     return ini.get(kSection, name) ? ini.where(kSection, name) : campaign.method.where + " " + name;
   };

@@ -35,13 +35,13 @@ struct Car {
 };
 
 /// Positions within `half` of the center in x and y.
-struct Square {
+struct PositionSquare {
   double bound = 0;  ///< lower bound of the path length through them, m
   TPoint2D center;
   double half = 0;  ///< m
 
   /// The next is the one of the lowest bound, the smallest of several.
-  bool operator<(const Square& other) const {
+  bool operator<(const PositionSquare& other) const {
     return bound > other.bound || (bound == other.bound && half > other.half);
   }
 };
@@ -55,7 +55,7 @@ class PositionSearch {
   double minimum() {
     offer({known_, problem_.start, l_});
     while (!open_.empty()) {
-      const Square square = open_.top();
+      const PositionSquare square = open_.top();
       if (square.half <= kMinHalf || evaluations_ >= kMaxEvaluations) return square.bound;
       open_.pop();
       const double half = 0.5 * square.half;
@@ -82,7 +82,7 @@ class PositionSearch {
   }
 
   /// Adds a square unless the car is in none of its positions after l.
-  void offer(Square square) {
+  void offer(PositionSquare square) {
     const double margin = square.half * M_SQRT2;
     if (!is_reachable(square.center, margin)) return;
     if (margin < 0.5 * problem_.robot_radius) {
@@ -100,7 +100,7 @@ class PositionSearch {
   const PlanningProblem& problem_;
   Car car_;
   double l_, known_;
-  std::priority_queue<Square> open_;
+  std::priority_queue<PositionSquare> open_;
   int evaluations_ = 0;
 };
 

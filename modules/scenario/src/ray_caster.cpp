@@ -16,7 +16,7 @@ namespace {
 
 /// A ray that passes a corner within this distance (cells) touches it: far above the rounding of
 /// coordinates on any map that fits in memory, far below the resolution of any sensor.
-constexpr double kTouch = 1e-9;
+constexpr double kBorderTolerance = 1e-9;
 
 /// Direction components below this are rounding errors of sine and cosine: the ray is parallel to
 /// an axis.
@@ -49,7 +49,7 @@ const Directions& directions_of(const ScanGeometry& geometry) {
 }
 
 bool near_integer(double x) {
-  return std::abs(x - std::floor(x) - 0.5) > 0.5 - kTouch;
+  return std::abs(x - std::floor(x) - 0.5) > 0.5 - kBorderTolerance;
 }
 
 }  // namespace
@@ -94,8 +94,8 @@ RayCaster::Ray RayCaster::make_ray(const mrpt::math::TPoint2D& origin, double co
 bool RayCaster::starts_free(const Ray& ray) const {
   const bool inside = ray.x > 0 && ray.x < size_x_ && ray.y > 0 && ray.y < size_y_;
   if (!inside || !std::isfinite(ray.dx)) return false;
-  for (const double x : {ray.x - kTouch, ray.x + kTouch})
-    for (const double y : {ray.y - kTouch, ray.y + kTouch})
+  for (const double x : {ray.x - kBorderTolerance, ray.x + kBorderTolerance})
+    for (const double y : {ray.y - kBorderTolerance, ray.y + kBorderTolerance})
       if (ray.rectangles[index(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)))] ==
           0)
         return false;
@@ -114,7 +114,8 @@ double RayCaster::trace_parallel(const std::uint8_t* rectangles, double along, d
                                  std::size_t step_along, std::size_t step_across,
                                  int extent_shift) const {
   double nearest = size_x_ + size_y_;
-  for (const double side : {across - kTouch, across + kTouch}) {  // both rows when on their border
+  for (const double side :
+       {across - kBorderTolerance, across + kBorderTolerance}) {  // both rows when on their border
     const std::size_t row = (static_cast<std::size_t>(side) + 1) * step_across;
     std::size_t cell = static_cast<std::size_t>(along);
     while (const std::uint8_t codes = rectangles[row + (cell + 1) * step_along])

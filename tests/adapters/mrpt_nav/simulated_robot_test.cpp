@@ -11,7 +11,7 @@
 namespace slalom {
 namespace {
 
-RobotModel holonomic_robot() {
+RobotModel driven_robot() {
   RobotModel robot;
   robot.kinematics = Kinematics::Holonomic;
   robot.forward_only = false;
@@ -52,7 +52,7 @@ TEST(SimulatedRobot, SlowsDownOnTheSameArcToBeWithinItsLimits) {
 }
 
 TEST(SimulatedRobot, KeepsTheWorldDirectionWhileTurningToFaceIt) {
-  SimulatedRobot robot(holonomic_robot(), 0.1);
+  SimulatedRobot robot(driven_robot(), 0.1);
   robot.start_run(0.1);
   robot.observe(at(0, M_PI / 2));
   // To its right, which is +x in the world, immediately.
@@ -69,7 +69,7 @@ TEST(SimulatedRobot, KeepsTheWorldDirectionWhileTurningToFaceIt) {
 }
 
 TEST(SimulatedRobot, BlendsVelocitiesWithinTheRampTime) {
-  SimulatedRobot robot(holonomic_robot(), 0.1);
+  SimulatedRobot robot(driven_robot(), 0.1);
   robot.start_run(0.1);
   Observation observation = at(0, 0);
   observation.v = 0.2;
@@ -86,7 +86,7 @@ TEST(SimulatedRobot, BlendsVelocitiesWithinTheRampTime) {
 }
 
 TEST(SimulatedRobot, ReportsVelocitiesInTheWorldFrame) {
-  SimulatedRobot robot(holonomic_robot(), 0.1);
+  SimulatedRobot robot(driven_robot(), 0.1);
   robot.start_run(0.1);
   Observation observation = at(0, M_PI / 2);
   observation.v = 0.5;

@@ -21,7 +21,7 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-constexpr double kCell = 0.05;  ///< m, of the samples
+constexpr double kSampleCell = 0.05;  ///< m, of the samples
 
 /// Differences that values may have, relative to those above 1.
 struct Tolerance {
@@ -92,7 +92,7 @@ std::vector<Polygon> boxes_of(const Occupancy& cells) {
 }
 
 /// The cells of a scenario, and its movers, as shapes elsewhere.
-Scenario placed(const Scenario& scenario, const Placement& placement, double cell = kCell) {
+Scenario placed(const Scenario& scenario, const Placement& placement, double cell = kSampleCell) {
   const Occupancy cells = make_occupancy(scenario, cell);
   Primitives obstacles{{}, boxes_of(cells)};
   for (Polygon& box : obstacles.polygons)
@@ -122,7 +122,7 @@ KnownPath symmetric_path(const World& world) {
   return path ? KnownPath{path->path, path->length, ""} : KnownPath{{}, 0, reason};
 }
 
-std::vector<Value> all_values(const Scenario& scenario, double cell = kCell) {
+std::vector<Value> all_values(const Scenario& scenario, double cell = kSampleCell) {
   const World world(scenario, cell);
   DescriptorContext context = context_of(world);
   context.shortest = search_once([&world] { return symmetric_path(world); });
@@ -151,7 +151,7 @@ const std::vector<Sample>& samples() {
       walkers.count = 3;
       for (const Scenario& made : generate_solvable(*make_generator(family, IniFile::from_text("")),
                                                     settings, *make_silent_progress())) {
-        const World world(made, kCell);
+        const World world(made, kSampleCell);
         const Scenario scenario =
             placed(with_walkers(world, settings.robot_radius, walkers, engine), moved_by(0, 0));
         samples.push_back({scenario, all_values(scenario)});
@@ -187,7 +187,7 @@ TEST(DescriptorSymmetry, ShapesAndGridsOfTheSameCellsAgree) {
 TEST(DescriptorSymmetry, ValuesDoNotDependOnTranslationsByWholeCells) {
   for (const Sample& sample : samples())
     for (const auto& [x, y] : {std::pair(5, 7), std::pair(-301, 13), std::pair(2, 999)})
-      expect_equal(sample, placed(sample.scenario, moved_by(x * kCell, y * kCell)),
+      expect_equal(sample, placed(sample.scenario, moved_by(x * kSampleCell, y * kSampleCell)),
                    &Tolerance::moved);
 }
 

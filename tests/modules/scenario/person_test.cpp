@@ -15,7 +15,7 @@
 namespace slalom {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 People two_people() {
   return {{"anna", 0.25, 1.3, {1, 2}, {{5, 2}, {5, 6}}, 0, PersonEnd::Stay},
@@ -63,13 +63,13 @@ TEST(Person, IsRefusedWithItsIdWhenInvalid) {
   EXPECT_TRUE(refused([](Person& p) { p.id = ""; }, "0: invalid id"));
   EXPECT_TRUE(refused([](Person& p) { p.id = "caf\xe9"; }, "0: invalid id"));
   EXPECT_TRUE(refused([](Person& p) { p.radius = 0; }, "'anna': invalid radius 0 m"));
-  EXPECT_TRUE(refused([](Person& p) { p.radius = kNever; }, "invalid radius"));
+  EXPECT_TRUE(refused([](Person& p) { p.radius = kInfinity; }, "invalid radius"));
   EXPECT_TRUE(refused([](Person& p) { p.speed = 0; }, "invalid speed 0 m/s"));
   EXPECT_TRUE(refused([](Person& p) { p.speed = 1001; }, "invalid speed 1001 m/s"));
   EXPECT_TRUE(refused([](Person& p) { p.speed = std::nan(""); }, "invalid speed"));
   EXPECT_TRUE(refused([](Person& p) { p.begin = -1; }, "invalid begin -1 s"));
   EXPECT_TRUE(refused([](Person& p) { p.begin = std::nan(""); }, "invalid begin"));
-  EXPECT_TRUE(refused([](Person& p) { p.start.y = kNever; }, "the start is out of range"));
+  EXPECT_TRUE(refused([](Person& p) { p.start.y = kInfinity; }, "the start is out of range"));
   EXPECT_TRUE(refused([](Person& p) { p.route.clear(); }, "no route"));
   EXPECT_TRUE(refused([](Person& p) { p.route[1].x = 2e6; }, "point 1 of the route is out"));
   EXPECT_TRUE(refused(

@@ -8,7 +8,7 @@
 namespace slalom {
 namespace {
 
-using State = ListDocument::FileState;
+using FileState = ListDocument::FileState;
 
 class ListDocuments : public OpenList {};
 
@@ -210,7 +210,7 @@ TEST_F(ListDocuments, CopyAndMoveToOneAnother) {
   document_.move_to(*other);
   EXPECT_EQ(shown(*other), (Numbers{100, 101, 0, 1, 2}));
   EXPECT_EQ(shown(), (Numbers{0, 1, 3, 4, 5, 6, 7, 8, 9}));
-  EXPECT_EQ(other->file_state(), State::Same) << "its own change is not reported";
+  EXPECT_EQ(other->file_state(), FileState::Same) << "its own change is not reported";
   document_.undo();
   EXPECT_EQ(shown().size(), 10U);
   EXPECT_TRUE(other->update_from_file());

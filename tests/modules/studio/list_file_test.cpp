@@ -9,7 +9,7 @@ namespace slalom {
 namespace {
 
 namespace fs = std::filesystem;
-using State = ListDocument::FileState;
+using FileState = ListDocument::FileState;
 
 class ListsOnDisk : public OpenList {};
 
@@ -23,7 +23,7 @@ TEST_F(ListsOnDisk, FollowChangesOfAnotherProgram) {
     other.add(make_scenario(50));
   }
   fs::last_write_time(path_, written + std::chrono::seconds(1));  // even on a fast machine
-  EXPECT_EQ(document_.file_state(), State::Changed);
+  EXPECT_EQ(document_.file_state(), FileState::Changed);
   EXPECT_TRUE(document_.update_from_file());
   EXPECT_EQ(shown(), (Numbers{0, 1, 2, 3, 5, 6, 7, 8, 9, 50}));
   EXPECT_EQ(selected(), Numbers{3});
@@ -44,7 +44,7 @@ TEST_F(ListsOnDisk, ReloadAFileThatAnotherProgramReplaced) {
   document_.rename(hash_of(1), "mine");
   const std::string next = make_list("next.scenarios", 3, 7);
   fs::rename(next, path_);
-  EXPECT_EQ(document_.file_state(), State::Replaced);
+  EXPECT_EQ(document_.file_state(), FileState::Replaced);
   select({1});
   EXPECT_NE(document_.disabled_reason(ListAction::Remove).find("replaced"), std::string::npos);
   EXPECT_NE(document_.disabled_reason(ListAction::Undo).find("replaced"), std::string::npos);

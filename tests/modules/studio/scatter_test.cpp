@@ -6,7 +6,7 @@
 namespace slalom {
 namespace {
 
-ListColumn column_of(const std::vector<std::optional<Value>>& values) {
+ListColumn column_of_values(const std::vector<std::optional<Value>>& values) {
   ListColumn column;
   for (const auto& value : values) column.add(value);
   return column;
@@ -14,9 +14,9 @@ ListColumn column_of(const std::vector<std::optional<Value>>& values) {
 
 /// Points (1, 10), (2, 20), (3, 15) at rows 0, 1, 4 of a list.
 Scatter three_points() {
-  return {
-      column_of({Value::of(1), Value::of(2), Value::of(9), std::nullopt, Value::of(3)}),
-      column_of({Value::of(10), Value::of(20), Value::na("no path"), Value::of(1), Value::of(15)})};
+  return {column_of_values({Value::of(1), Value::of(2), Value::of(9), std::nullopt, Value::of(3)}),
+          column_of_values(
+              {Value::of(10), Value::of(20), Value::na("no path"), Value::of(1), Value::of(15)})};
 }
 
 const PlotAxis kX(0, 4, 0, 40), kY(0, 20, 40, 0);  // 10 and 2 pixels a unit
@@ -59,7 +59,7 @@ TEST(Scatter, DrawsADotAroundEachPointAndClipsIt) {
 }
 
 TEST(Scatter, IsMoreOpaqueWhereDotsOverlap) {
-  const ListColumn x = column_of({Value::of(1), Value::of(1)});
+  const ListColumn x = column_of_values({Value::of(1), Value::of(1)});
   const auto picture = draw_dots(Scatter(x, x), kX, kY, 0, 0, 40, 40, {0x10, 0x80, 0xff, 0xff});
   EXPECT_EQ(picture[4 * (40 * 38 + 10) + 3], 249);  // (1 - 0.15^2) * 255
 }

@@ -10,7 +10,7 @@
 namespace slalom {
 namespace {
 
-constexpr double kTitleHeight = 24, kEntryHeight = 24, kBorder = 1, kEntryMargin = 8;  ///< pixels
+constexpr double kFolderHeight = 24, kEntryHeight = 24, kBorder = 1, kEntryMargin = 8;  ///< pixels
 
 std::string shown_name(const FolderEntry& entry) {
   return entry.name + (entry.is_folder ? "/" : "");
@@ -25,7 +25,7 @@ std::string absolute_path(const std::string& folder) {
 }  // namespace
 
 FolderTable::FolderTable(nanogui::Widget* parent, Chosen chosen)
-    : Table(parent, "folder", {kTitleHeight, kEntryHeight, kBorder}), chosen_(std::move(chosen)) {
+    : Table(parent, "folder", {kFolderHeight, kEntryHeight, kBorder}), chosen_(std::move(chosen)) {
   setVisible(false);
 }
 
@@ -87,12 +87,12 @@ void FolderTable::paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& 
 
 void FolderTable::paint_frame(NVGcontext* ctx) const {
   const Palette& colors = palette();
-  const ScreenRect title{0, 0, area().width, kTitleHeight};
+  const ScreenRect title{0, 0, area().width, kFolderHeight};
   draw::fill(ctx, title, colors.panel);
   draw::text(ctx, title.inset(kEntryMargin), absolute_path(folder_.value_or("")), colors.faint_text,
              draw::kSmallTextSize);
-  draw::line(ctx, 0, kTitleHeight - 0.5, area().width, kTitleHeight - 0.5, colors.border);
-  const double top = kTitleHeight + kEntryHeight * static_cast<double>(row_count()) + 4;
+  draw::line(ctx, 0, kFolderHeight - 0.5, area().width, kFolderHeight - 0.5, colors.border);
+  const double top = kFolderHeight + kEntryHeight * static_cast<double>(row_count()) + 4;
   if (!content_.error.empty())
     draw::wrapped_text(ctx, {kEntryMargin, top, area().width - 2 * kEntryMargin, kEntryHeight},
                        content_.error, colors.error_text);

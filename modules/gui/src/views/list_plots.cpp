@@ -27,7 +27,6 @@ std::string missing_text(const Histogram& histogram) {
 }
 
 constexpr double kPickRadius = 6;  ///< pixels
-constexpr double kMinDrag = 4;     ///< pixels; a shorter drag is a click
 
 /// Adds a margin on both sides, so that dots are not cut off.
 Interval with_margin(const std::optional<Interval>& range) {
@@ -223,7 +222,7 @@ class ScatterPlot : public ListPlot {
     if (!drag_) return;
     drag_->to = value_at(at);
     const ScreenRect rect = rect_between(frame(), *drag_);
-    drag_->moved = drag_->moved || rect.width >= kMinDrag || rect.height >= kMinDrag;
+    drag_->moved = drag_->moved || rect.width >= draw::kMinDrag || rect.height >= draw::kMinDrag;
   }
   void release(const Point& at) override {
     ListDocument* list = studio_.active();

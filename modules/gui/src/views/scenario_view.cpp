@@ -18,9 +18,9 @@ using mrpt::math::TPose2D;
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kBorder = 3;                                     // pixels
-constexpr double kRowIndent = 48, kRowMargin = 8, kNoteGap = 10;  // pixels, in the legend
-constexpr double kColorBarWidth = 240, kColorBarHeight = 38;      // pixels
+constexpr double kFrameWidth = 3;                                    // pixels
+constexpr double kRowIndent = 48, kLegendMargin = 8, kNoteGap = 10;  // pixels, in the legend
+constexpr double kColorBarWidth = 240, kColorBarHeight = 38;         // pixels
 const std::string kNoScene = "No scenario is selected";
 
 std::vector<ViewLayout::Button> buttons(bool editable) {
@@ -328,11 +328,14 @@ void ScenarioView::draw_border(NVGcontext* ctx) const {
   const Point low = view_.to_screen({bounds.x_min, bounds.y_min});
   const Point high = view_.to_screen({bounds.x_max, bounds.y_max});
   const Color& color = palette().obstacle;
-  draw::fill(ctx, {low.x - kBorder, high.y - kBorder, high.x - low.x + 2 * kBorder, kBorder},
+  draw::fill(
+      ctx,
+      {low.x - kFrameWidth, high.y - kFrameWidth, high.x - low.x + 2 * kFrameWidth, kFrameWidth},
+      color);
+  draw::fill(ctx, {low.x - kFrameWidth, low.y, high.x - low.x + 2 * kFrameWidth, kFrameWidth},
              color);
-  draw::fill(ctx, {low.x - kBorder, low.y, high.x - low.x + 2 * kBorder, kBorder}, color);
-  draw::fill(ctx, {low.x - kBorder, high.y, kBorder, low.y - high.y}, color);
-  draw::fill(ctx, {high.x, high.y, kBorder, low.y - high.y}, color);
+  draw::fill(ctx, {low.x - kFrameWidth, high.y, kFrameWidth, low.y - high.y}, color);
+  draw::fill(ctx, {high.x, high.y, kFrameWidth, low.y - high.y}, color);
 }
 
 void ScenarioView::draw_preview(NVGcontext* ctx) const {
@@ -457,7 +460,7 @@ void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect,
   draw::fill(ctx, sample, layer.color);
   draw::frame(ctx, sample, palette().faint_text);
   const bool missing = !layer.missing_reason(*scene_, trajectories_).empty();
-  const double space = rect.width - kRowIndent - kRowMargin;
+  const double space = rect.width - kRowIndent - kLegendMargin;
   const double wide = draw::text_width(ctx, layer.title, draw::kSmallTextSize);
   const float size =
       wide > space ? draw::kSmallTextSize * static_cast<float>(space / wide) : draw::kSmallTextSize;
@@ -466,7 +469,7 @@ void ScenarioView::draw_row(NVGcontext* ctx, const ScreenRect& rect,
   const std::string note = note_of(layer);
   // A note that has no space is in the status line, when the mouse is over the row.
   if (wide + kNoteGap + draw::text_width(ctx, note, draw::kSmallTextSize) > space) return;
-  draw::text(ctx, rect.inset(kRowMargin), note, palette().faint_text, draw::kSmallTextSize,
+  draw::text(ctx, rect.inset(kLegendMargin), note, palette().faint_text, draw::kSmallTextSize,
              draw::Align::Right);
 }
 
@@ -483,7 +486,7 @@ double ScenarioView::measure_legend(NVGcontext* ctx) const {
   };
   for (const auto& layer : layers_)
     width = std::max(width, std::ceil(kRowIndent + measure(layer.title) + kNoteGap +
-                                      measure(note_of(layer)) + kRowMargin));
+                                      measure(note_of(layer)) + kLegendMargin));
   return width;
 }
 

@@ -17,7 +17,6 @@ constexpr int kDigits = 3;  ///< decimals of values at the marker
 constexpr double kSampleWidth = 14, kSampleGap = 4, kEntryGap = 12;
 constexpr float kSmallLegendSize = 11;
 
-constexpr double kMinDrag = 4;        ///< pixels; a shorter drag is a click
 constexpr double kDoubleClick = 0.4;  ///< s
 
 /// Lines over the time of a replay. A click moves its time, a drag shows a range of times, and a
@@ -84,7 +83,7 @@ class TimePlot : public Plot {
     if (!drag_) return;
     const auto [from, to] = *drag_;
     drag_.reset();
-    if (std::abs(to - from) < kMinDrag) return click_at(from);
+    if (std::abs(to - from) < draw::kMinDrag) return click_at(from);
     clicked_.reset();
     const PlotAxis axis = frame().x;
     overlay_.show_times(axis.to_value(from), axis.to_value(to));
@@ -113,7 +112,7 @@ class TimePlot : public Plot {
   void click_at(double pixel) {
     const double now = glfwGetTime();
     if (clicked_ && now - clicked_->at < kDoubleClick &&
-        std::abs(pixel - clicked_->pixel) < kMinDrag) {
+        std::abs(pixel - clicked_->pixel) < draw::kMinDrag) {
       clock_.seek(clicked_->time_before);
       clicked_.reset();
       return overlay_.show_all_times();

@@ -49,6 +49,8 @@ void check_mark(NVGcontext* ctx, const ScreenRect& rect, const Color& color);
 /// A check box in the middle of the height of `rect`, at its left end.
 void check_box(NVGcontext* ctx, const ScreenRect& rect, bool checked, bool focused = false);
 constexpr double kCheckBox = 14;
+/// A shorter drag is a click, pixels.
+constexpr double kMinDrag = 4;
 
 struct ButtonState {
   bool on = false, enabled = true, hovered = false, focused = false;

@@ -8,7 +8,7 @@
 namespace slalom {
 namespace {
 
-constexpr double kLineHeight = 25, kBorder = 3, kMenuHelpHeight = 42;  ///< pixels
+constexpr double kLineHeight = 25, kMenuBorder = 3, kMenuHelpHeight = 42;  ///< pixels
 constexpr double kMenuMargin = 8, kCheckWidth = 18, kShortcutWidth = 104;
 
 bool has_help(const std::vector<MenuLine>& lines) {
@@ -25,7 +25,7 @@ MenuLine menu_line(const Action& action) {
 }
 
 Menu::Menu(nanogui::Widget* parent, const std::string& id, nanogui::Widget* focus_after)
-    : Table(parent, id, {kBorder, kLineHeight, kBorder}), focus_after_(focus_after) {
+    : Table(parent, id, {kMenuBorder, kLineHeight, kMenuBorder}), focus_after_(focus_after) {
   setVisible(false);
 }
 
@@ -34,9 +34,9 @@ void Menu::open(const Point& corner, double width, double bottom, std::vector<Me
   lines_ = std::move(lines);
   current_ = std::min(current, lines_.empty() ? 0 : lines_.size() - 1);
   chosen_ = std::move(chosen);
-  set_footer(has_help(lines_) ? kMenuHelpHeight : kBorder);
+  set_footer(has_help(lines_) ? kMenuHelpHeight : kMenuBorder);
   const double preferred =
-      kBorder + kLineHeight * static_cast<double>(lines_.size()) + heights().footer;
+      kMenuBorder + kLineHeight * static_cast<double>(lines_.size()) + heights().footer;
   set_bounds({corner.x, corner.y, width,
               std::clamp(bottom - corner.y, std::min(2 * kLineHeight, preferred), preferred)});
   if (!lines_.empty()) bring_into_view(current_);
@@ -76,7 +76,7 @@ void Menu::paint_row(NVGcontext* ctx, std::size_t row, const ScreenRect& rect) {
   const Palette& colors = palette();
   const bool enabled = line.disabled_reason().empty(), has_shortcuts = has_help(lines_);
   if (row == current_)
-    draw::fill(ctx, rect.inset(kBorder), enabled ? colors.selected : colors.hover, 3);
+    draw::fill(ctx, rect.inset(kMenuBorder), enabled ? colors.selected : colors.hover, 3);
   ScreenRect text = rect.inset(kMenuMargin);
   if (has_shortcuts) {
     if (line.checked)
@@ -167,7 +167,7 @@ void MenuBar::open_context(const Point& at, const std::vector<std::string>& ids)
   open_menu_.clear();
   std::vector<const Action*> actions;
   for (const std::string& id : ids) actions.push_back(&actions_.find(id));
-  const double tall = kBorder + kLineHeight * static_cast<double>(ids.size()) + kMenuHelpHeight;
+  const double tall = kMenuBorder + kLineHeight * static_cast<double>(ids.size()) + kMenuHelpHeight;
   open_lines({std::clamp<double>(parent()->width() - kMenuWidth, 0, at.x),
               std::clamp<double>(parent()->height() - tall, 0, at.y)},
              actions);
