@@ -5,6 +5,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+echo "1/3 Packages" >&2
 scripts/install_packages.sh
-scripts/build.sh release slalom-evaluate slalom_reactive_methods
-build/release/bin/slalom-evaluate configs/demo.ini -o out/demo -j 2 --overwrite
+echo "2/3 Build (two cores: about 4 minutes the first time)" >&2
+scripts/build.sh release slalom-evaluate slalom_follow_the_gap
+echo "3/3 Campaign: 280 runs (some seconds)" >&2
+build/release/bin/slalom-evaluate configs/demo.ini -o out/demo -j "$(nproc)" --overwrite

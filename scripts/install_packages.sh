@@ -5,6 +5,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source "$here/apt.sh"
+source "$here/progress.sh"
 
 missing=() optional=()
 for package in $(packages_of "$here/packages.txt"); do
@@ -20,6 +21,7 @@ fi
 as_root=()
 [ "$(id -u)" -eq 0 ] || as_root=(sudo)
 export DEBIAN_FRONTEND=noninteractive
+echo "Reading the lists of packages" >&2
 "${as_root[@]}" apt-get update -qq
 for package in "${optional[@]}"; do
   if is_available "$package"; then
@@ -29,5 +31,6 @@ for package in "${optional[@]}"; do
   fi
 done
 [ ${#missing[@]} -eq 0 ] && exit 0
-echo "Installing: ${missing[*]}" >&2
-"${as_root[@]}" apt-get install -y --no-install-recommends -qq "${missing[@]}" >/dev/null
+echo "Installing ${#missing[@]} packages: ${missing[*]}" >&2
+{ "${as_root[@]}" apt-get install -y --no-install-recommends -qq -o APT::Status-Fd=3 "${missing[@]}" 3>&1 >/dev/null; } |
+  show_apt_progress

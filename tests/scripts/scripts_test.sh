@@ -37,6 +37,20 @@ always_available() { for _ in {1..20}; do is_available present || return 1; done
 expect "a package that the distribution has is available, each time" always_available
 expect "a package without a candidate is not" not is_available absent
 
+# Progress: a line for each tenth, and all else that the build says.
+source "$sources/scripts/progress.sh"
+{ for i in {1..40}; do echo "[$i/40] Building CXX object x.o"; done; echo "x.cpp:1: warning: unused"; } |
+  show_build_progress >"$work/out" 2>"$work/err"
+expect "a build shows ten lines of progress" test "$(wc -l <"$work/err")" = 10
+expect "the last one is the end" grep -q "100 %" <(tail -n 1 "$work/err")
+expect "warnings are passed on" test "$(cat "$work/out")" = "x.cpp:1: warning: unused"
+printf '%s\n' dlstatus:1:100.0:Get pmstatus:a:50.0:Unpack pmstatus:a:100.0:Setup |
+  show_apt_progress >"$work/out" 2>"$work/err"
+expect "downloads and installation are counted apart" test "$(grep -c % "$work/err")" = 3
+"$sources/scripts/test.sh" --everything >"$work/out" 2>"$work/err"
+expect "an unknown option of test.sh is an error" test $? = 2
+expect_text "which names the valid one" "[--all]" "$work/err"
+
 log="$work/build/Testing/Temporary/LastTest.log"
 mkdir -p "$(dirname "$log")"
 run_report() { "$sources/scripts/report_skipped.sh" "$work/build" >"$work/out" 2>"$work/err"; }
