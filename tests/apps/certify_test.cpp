@@ -3,6 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <map>
+#include <vector>
+
 namespace slalom {
 namespace {
 
@@ -254,6 +258,55 @@ TEST_F(Certify, AnInterruptedQuestionContinuesWithItsRuns) {
   write("a.json.runs", "slalom-certify journal of something else\n");
   expect_failure(risk, 2, {"a.json.runs: is of another question"});
   EXPECT_EQ(read("a.json.runs"), "slalom-certify journal of something else\n");
+}
+
+/// A method in Python. The first run of all waits until it is killed, while the others go on, so
+/// that each interruption kills a run that others have overtaken.
+constexpr char kWaitingMethod[] =
+    "import math, os, time\n"
+    "class Waits:\n"
+    "    options = {}\n"
+    "    def __init__(self, robot, options): pass\n"
+    "    def reset(self, task):\n"
+    "        with open('begun', 'a') as file: file.write('.')\n"
+    "        try: os.mkdir('first')\n"
+    "        except FileExistsError: return\n"
+    "        while True: time.sleep(1)\n"
+    "    def step(self, o):\n"
+    "        return 0.5, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n";
+
+TEST_F(Certify, AnInterruptedQuestionIsAnsweredAsAnUndisturbedOne) {
+  write("waits.py", kWaitingMethod);
+  const std::string method =
+      " --quiet --method waits --set method.waits.adapter=python --set "
+      "method.waits.module=waits.py --set method.waits.class=Waits ";
+  const std::string risk = "slalom-certify risk my.ini --budget 40" + method;
+  const std::string limit =
+      "slalom-certify limit my.ini --of passage.width --from 1.45 --to 0.65 --step 0.4 "
+      "--reliability 0.5 --blocks 0" +
+      method;
+  const std::vector<std::array<std::string, 3>> cases = {{risk, "INT", "2"},  {risk, "TERM", "3"},
+                                                         {risk, "HUP", "2"},  {risk, "KILL", "3"},
+                                                         {limit, "INT", "3"}, {limit, "TERM", "2"}};
+  std::map<std::string, std::string> undisturbed;
+  for (const auto& [question, signal, workers] : cases) {
+    SCOPED_TRACE(question + signal);
+    run("rm -rf a.json* b.json* begun first");
+    const std::string command = question + "-o a.json -j " + workers;
+    // 12 others have begun: the other workers have finished some of them.
+    run("sh -c '" + command +
+        " & pid=$!; while [ \"$(cat begun 2>.null | wc -c)\" -lt 13 ]; do kill -0 $pid || exit; "
+        "done; kill -" +
+        signal + " $pid; wait $pid'");
+    EXPECT_EQ(run("test -e a.json").status, 1) << "the first run waits";
+    const ProgramResult continued = run(command);
+    ASSERT_EQ(continued.status, 0) << continued.err;
+    if (undisturbed.count(question) == 0) {
+      ASSERT_EQ(run(question + "-o b.json -j 1").status, 0);
+      undisturbed[question] = read("b.json");
+    }
+    EXPECT_EQ(read("a.json"), undisturbed.at(question));
+  }
 }
 
 TEST_F(Certify, AContinuedQuestionWhoseOtherRunsFailKeepsThoseOfTheJournal) {

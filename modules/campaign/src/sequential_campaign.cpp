@@ -160,6 +160,7 @@ SequentialReport run_in_batches(CampaignRecorder& recorder, const Rule& rule, Sc
     if (stop_reason.empty() && max_runs > 0 && analyses.runs() >= max_runs)
       stop_reason = "maximum number of runs reached";
   }
+  report.runs = analyses.runs();
   report.text = last.text + " after " + count_text(analyses.runs(), "run") + " and " +
                 count_text(analyses.count(), "look") + ": " + stop_reason + "\n";
   return report;

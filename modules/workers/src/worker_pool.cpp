@@ -15,7 +15,8 @@
 namespace slalom {
 namespace {
 
-/// Forwards results in the order of their indexes, or as they come.
+/// Forwards results as they come, or in the order of their indexes: those after a work item that
+/// does not complete are never forwarded, so that the receiver sees no hole.
 class ResultForwarder {
  public:
   using Receiver = std::function<void(std::size_t, WorkResult&&)>;
@@ -30,12 +31,6 @@ class ResultForwarder {
       pending_.erase(pending_.begin());
       ++next_;
     }
-  }
-
-  /// Forwards the results that wait for a work item that will not complete.
-  void flush() {
-    for (auto& [index, result] : pending_) receiver_(index, std::move(result));
-    pending_.clear();
   }
 
  private:
@@ -282,9 +277,7 @@ bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkIte
                     const std::function<bool()>& interrupted) {
   if (options.schedule.in_process) return run_here(count, options, item, on_result, interrupted);
   ResultForwarder results(on_result, options.schedule.ordered);
-  const bool complete = Pool(count, options, item, results).run(interrupted);
-  results.flush();
-  return complete;
+  return Pool(count, options, item, results).run(interrupted);
 }
 
 }  // namespace slalom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
+#include "shared_count.h"
 
 #include <slalom/campaign/run_campaign.h>
 #include <slalom/campaign/run_draws.h>
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
+#include <unistd.h>
 #include <vector>
 
 namespace slalom {
@@ -145,6 +147,28 @@ TEST(RunDraws, EndWithTheErrorOfADraw) {
   };
   EXPECT_TRUE(throws_error(ErrorKind::Job, "a run of ahead", {"the map is gone"},
                            [&] { runs_of(draw, 1, 1); }));
+}
+
+TEST(RunDraws, AfterOneThatAnInterruptKillsAreNotPassedOn) {
+  // Long runs, which are failures, would be left out if those after them took their place.
+  const std::vector<DrawnRun> all = runs_of(draw_corridor, 40, 1);
+  for (const int workers : {2, 3}) {
+    const SharedCount drawn;
+    std::vector<DrawnRun> received;
+    const auto draw = [&](std::size_t index) {
+      if (index == 5) pause();
+      ++*drawn;
+      return draw_corridor(index);
+    };
+    EXPECT_FALSE(run_draws(ahead(), options_of_draws(), draw, 1000,
+                           {workers, [&] { return *drawn >= 30; }}, [&](const DrawnRun& run) {
+                             received.push_back(run);
+                             return true;
+                           }));
+    ASSERT_EQ(received.size(), 5U) << workers;
+    for (std::size_t i = 0; i < received.size(); ++i)
+      EXPECT_EQ(received[i].trajectory_hash, all[i].trajectory_hash) << i;
+  }
 }
 
 TEST(RunDraws, AreInterrupted) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "manual_time.h"
 #include "open_files.h"
+#include "shared_count.h"
 #include "temporary_folder.h"
 
 #include <slalom/core/orphans.h>
@@ -20,6 +21,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <sys/prctl.h>
@@ -402,6 +404,29 @@ TEST(WorkerPool, AnInterruptKeepsTheResultsSoFar) {
   EXPECT_FALSE(complete);
   EXPECT_GE(received, 10U);
   EXPECT_LT(received, 1000U);
+}
+
+TEST(WorkerPool, OrderedResultsAfterAnItemThatAnInterruptKillsAreDropped) {
+  for (const std::size_t stuck : {std::size_t{0}, std::size_t{3}}) {
+    for (const int workers : {2, 3}) {
+      const SharedCount begun;
+      std::vector<std::size_t> received;
+      const bool complete = run_in_workers(
+          1000, with_workers(workers),
+          [&](std::size_t i, SharedTaskLog&) {
+            if (i == stuck) pause();
+            ++*begun;
+            return std::string();
+          },
+          [&](std::size_t i, WorkResult&&) { received.push_back(i); },
+          // Then many have been answered: a worker has one item ahead at most.
+          [&] { return *begun >= 40; });
+      EXPECT_FALSE(complete);
+      std::vector<std::size_t> expected(stuck);
+      std::iota(expected.begin(), expected.end(), std::size_t{0});
+      EXPECT_EQ(received, expected) << workers;
+    }
+  }
 }
 
 /// In a worker.

@@ -29,6 +29,7 @@ StoppingRule parse_stopping_rule(const std::string& text, std::size_t max_runs,
 struct SequentialReport {
   bool complete = false;  ///< false if interrupted
   bool reached = false;   ///< every cell has the required precision, or the decision is made
+  std::size_t runs = 0;   ///< after which it stopped
   std::string text;       ///< the cells or the decision, and the reason for stopping
 };
 

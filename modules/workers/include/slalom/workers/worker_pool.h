@@ -19,8 +19,9 @@ namespace slalom {
 /// is busy, and begins it without waiting for this process. Idle ones are kept for the next items
 /// of their groups, in total `workers + groups` processes; beyond that the least recently used one
 /// is ended. What workers print is in the results, unless they are trusted. `interrupted` is
-/// polled; when it returns true, the workers are killed, the results obtained so far are passed on,
-/// and the function returns false. Throws Error (Job) when no process can be created.
+/// polled; when it returns true, the workers are killed, and the function returns false. If the
+/// results are ordered, those after a work item that was killed are dropped: what was passed on are
+/// the first results, without a hole. Throws Error (Job) when no process can be created.
 bool run_in_workers(std::size_t count, const PoolOptions& options, const WorkItem& item,
                     const std::function<void(std::size_t, WorkResult&&)>& on_result,
                     const std::function<bool()>& interrupted);
