@@ -6,6 +6,7 @@
 #include <slalom/core/text.h>
 
 #include <cstdlib>
+#include <dlfcn.h>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -44,6 +45,14 @@ std::string bundled_home() {
                                                               : "";
 }
 
+/// Extension modules, as NumPy's, name no library of Python: they find it among the global symbols,
+/// where that of a part that was loaded at run time is not.
+void share_symbols() {
+  Dl_info info;
+  if (dladdr(reinterpret_cast<const void*>(&Py_InitializeFromConfig), &info) != 0)
+    dlopen(info.dli_fname, RTLD_LAZY | RTLD_GLOBAL | RTLD_NOLOAD);
+}
+
 void require(const PyStatus& status) {
   if (PyStatus_Exception(status))
     throw std::runtime_error(std::string("Python does not start: ") +
@@ -61,6 +70,7 @@ struct Config : PyConfig {
 
 void start_interpreter() {
   if (Py_IsInitialized() != 0) return;
+  share_symbols();
   // Threads of numerical libraries would change the order of additions, and outlive runs.
   for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"})
     setenv(name, "1", 0);
