@@ -16,6 +16,7 @@
 #include <slalom/core/ini_file.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
+#include <slalom/core/version.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/list_hash.h>
 #include <slalom/io/read_results.h>
@@ -24,6 +25,7 @@
 #include <slalom/report/report.h>
 #include <slalom/results/method_failures.h>
 #include <slalom/results/privileged.h>
+#include <slalom/results/recorded_ini.h>
 
 #include <nlohmann/json.hpp>
 
@@ -40,17 +42,18 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 struct RegistryArguments {
-  std::string folder, output, title = "Registry";
+  std::string folder, output, title = "Registry", verifications;
   bool reports = true;
 };
 
 /// A bundle in the folder.
 struct Entry {
-  std::string path, name;  ///< name: unique, that of the file without its ending
+  std::string path, place;  ///< place: the path in the folder
+  std::string name;         ///< in the site, from the hash of the bundle
   ResultTable runs;
   std::string scenarios;  ///< "slalom-small", or the hash
   std::string settings;   ///< what differs from the defaults, without the methods
-  std::string verified;   ///< what was executed again, or ""
+  std::map<std::string, std::string> verified;  ///< what was executed again, by method
 };
 
 /// A method of an entry, a row of a table.
@@ -59,6 +62,7 @@ struct Row {
   std::string method;
   std::size_t best = 1, worst = 1;  ///< ranks that the comparisons leave
   const MethodSummary* summary = nullptr;
+  std::string contradicts = {};  ///< the entry with other values of the same method; "": none
 };
 
 /// Methods over the same scenarios with the same settings.
@@ -107,25 +111,46 @@ std::string settings_of(const ResultTable& runs, const std::string& path) {
   return join(settings, ", ");
 }
 
-/// The message of the verification beside a bundle, "" if there is none.
-std::string verification_of(const std::string& bundle) {
-  const std::string path = bundle + ".verified.json";
-  if (!fs::exists(path)) return "";
-  const Json json = Json::parse(read_text(path, "a verification"), nullptr, false);
-  const auto text = [&](const char* key) {
-    return json.is_object() && json.contains(key) && json[key].is_string()
-               ? json[key].get<std::string>()
-               : std::string();
-  };
-  if (text("message").empty())
-    throw file_error(path, "is no verification", "what slalom-simulate verify --badge writes");
-  if (text("file_hash") != Hasher().add(read_file(bundle)).hex()) return "of another file";
-  if (text("color") == "red") throw file_error(path, "says that its runs are different");
-  return text("message") + ", " + text("date") + ", " + text("processor");
+/// The effective settings follow from the .ini of the file. Throws Error (File) for a statement
+/// that contradicts it, also by leaving out a key, and Error for an .ini that is invalid.
+void require_own_settings(const Manifest& manifest, const std::string& path) {
+  const IniFile effective = campaign_ini(read_campaign_options(recorded_ini(manifest, path)), "");
+  const IniFile stated = IniFile::from_text(manifest.at(kEffectiveKey), path);
+  for (const char* section : {"robot", "sensor", "odometry", "simulation", "people", "limits"})
+    for (const std::string& key : effective.keys(section))
+      if (const auto value = effective.get(section, key);
+          key != "method_errors" && stated.get(section, key) != value)
+        throw file_error(path, std::string("its .ini has ") + section + "." + key + " = " +
+                                   value.value_or("") + ", its manifest states " +
+                                   stated.get(section, key).value_or("nothing"));
 }
 
-Entry read_entry(const std::string& path, const std::string& name) {
-  Entry entry{path, name, read_results(path), "", "", ""};
+/// What the registry itself has verified of a bundle, by method: from its file in the
+/// folder of verifications. A file beside the bundle may be its author's.
+std::map<std::string, std::string> verification_of(const Entry& entry, const std::string& hash,
+                                                   const std::string& folder) {
+  const std::string path = (fs::path(folder) / (hash + "_" + version() + ".json")).string();
+  if (folder.empty() || !fs::exists(path)) return {};
+  const Json json = Json::parse(read_text(path, "a verification"), nullptr, false);
+  std::map<std::string, std::string> verified;
+  try {
+    if (json.at("color") == "red") throw file_error(entry.path, "is different: " + path);
+    const std::string when =
+        json.at("date").get<std::string>() + ", " + json.at("processor").get<std::string>();
+    for (const auto& [method, runs] : json.at("methods").items())
+      verified[method] = std::to_string(runs.at("identical").get<std::size_t>()) + " of " +
+                         std::to_string(runs.at("runs").get<std::size_t>()) + " executed again, " +
+                         when;
+  } catch (const Json::exception&) {
+    throw file_error(path, "is not a verification", "what slalom-simulate verify --badge writes");
+  }
+  return verified;
+}
+
+Entry read_entry(const fs::path& place, const RegistryArguments& arguments) {
+  const std::string path = (fs::path(arguments.folder) / place).string();
+  const std::string file_hash = Hasher().add(read_file(path, "a bundle")).hex();
+  Entry entry{path, place.string(), file_hash.substr(0, 16), read_results(path), "", "", {}};
   if (!entry.runs.damaged.empty()) throw file_error(path, "is damaged");
   const Manifest& manifest = entry.runs.manifest;
   if (manifest.count("until") > 0)
@@ -140,19 +165,39 @@ Entry read_entry(const std::string& path, const std::string& name) {
   const std::string hash = content_hash(entry.runs.scenario_hashes), bed = testbed_of(hash);
   entry.scenarios = bed.empty() ? "scenarios " + hash : bed;
   entry.settings = settings_of(entry.runs, path);
-  entry.verified = verification_of(path);
+  require_own_settings(manifest, path);
+  entry.verified = verification_of(entry, file_hash, arguments.verifications);
   mark_privileged(entry.runs);
   return entry;
 }
 
 /// The keys of a method in its campaign and the hashes of its files: two entries with the same ones
-/// contain the same runs.
+/// contain the same runs, or one of them is wrong.
 std::string identity_of(const Entry& entry, const std::string& method) {
   const std::string section = "method." + unmarked_name(method) + ".";
   std::string identity = method;
   for (const auto& [key, value] : identity_parts(entry.runs.manifest))
     if (starts_with(key, section)) identity += "\n" + key + "=" + value;
   return identity;
+}
+
+/// Hash of the outcomes and metrics of a method, which are the same in the same runs.
+std::string values_of(const Entry& entry, const std::string& method) {
+  const ResultTable& runs = entry.runs;
+  std::map<std::pair<std::string, std::uint32_t>, std::string> lines;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    if (runs.methods[runs.method[run]] != method) continue;
+    Hasher hasher;
+    hasher.add(runs.outcomes[runs.outcome[run]]);
+    for (const ValueColumn& metric : runs.metrics)
+      if (!metric.wall_clock)
+        hasher.add(metric.info().id)
+            .add(metric.is_na(run) ? metric.reason(run) : format_number(metric.number(run)));
+    lines[{runs.scenario_hashes[runs.scenario[run]], runs.repetition[run]}] = hasher.hex();
+  }
+  Hasher hasher;
+  for (const auto& [key, line] : lines) hasher.add(key.first).add(line);
+  return hasher.hex();
 }
 
 std::vector<std::string> known_metrics(const ResultTable& runs) {
@@ -195,16 +240,35 @@ Group make_group(const std::vector<const Entry*>& entries) {
                 (first.settings.empty() ? "" : ": " + first.settings);
   for (const Entry* entry : entries)
     group.summaries.push_back(build_summary(entry->runs, known_metrics(entry->runs), {}));
-  std::set<std::string> known;
+  std::map<std::string, std::vector<Row>> rows;
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (const MethodSummary& method : group.summaries[i].methods)
-      if (known.insert(identity_of(*entries[i], method.method)).second)
-        group.rows.push_back({entries[i], method.method, 1, 1, &method});
+      rows[identity_of(*entries[i], method.method)].push_back(
+          {entries[i], method.method, 1, 1, &method});
+  std::vector<Row> contradicting;
+  for (auto& [identity, same] : rows) {
+    const std::string values = values_of(*same.front().entry, same.front().method);
+    const auto other = std::find_if(same.begin(), same.end(), [&](const Row& row) {
+      return values_of(*row.entry, row.method) != values;
+    });
+    if (other == same.end()) {
+      // Of several copies the one of which most is known.
+      const auto best = std::find_if(same.begin(), same.end(), [](const Row& row) {
+        return row.entry->verified.count(unmarked_name(row.method)) > 0;
+      });
+      group.rows.push_back(best == same.end() ? same.front() : *best);
+      continue;
+    }
+    for (Row& row : same) row.contradicts = (&row == &*other ? same.front() : *other).entry->place;
+    std::move(same.begin(), same.end(), std::back_inserter(contradicting));
+  }
   rank_rows(group.rows);
+  std::move(contradicting.begin(), contradicting.end(), std::back_inserter(group.rows));
   return group;
 }
 
 std::string rank_text(const Row& row) {
+  if (!row.contradicts.empty()) return "contradicts " + row.contradicts;
   return std::to_string(row.best) + (row.best == row.worst ? "" : "-" + std::to_string(row.worst));
 }
 
@@ -229,8 +293,11 @@ DataTable table_of(const Group& group) {
     if (id == "success.low") return success.interval ? Field(success.interval->low) : Field();
     if (id == "success.high") return success.interval ? Field(success.interval->high) : Field();
     if (id == "runs") return static_cast<std::int64_t>(row.summary->n);
-    if (id == "verified") return row.entry->verified.empty() ? "no" : row.entry->verified;
-    if (id == "bundle") return row.entry->name + ".slalom";
+    if (id == "verified") {
+      const auto verified = row.entry->verified.find(unmarked_name(row.method));
+      return verified == row.entry->verified.end() ? "no" : verified->second;
+    }
+    if (id == "bundle") return row.entry->place;
     if (id == "report") return row.entry->name;
     const std::vector<std::string> metrics = known_metrics(row.entry->runs);
     const auto found = std::find(metrics.begin(), metrics.end(), id);
@@ -252,13 +319,6 @@ std::vector<fs::path> bundles_in(const std::string& folder) {
   if (paths.empty()) throw file_error(folder, "contains no bundles", "files (.slalom)");
   std::sort(paths.begin(), paths.end());
   return paths;
-}
-
-/// "a/b" -> "a-b", the name of an entry in the site.
-std::string entry_name(const fs::path& path) {
-  std::string name = fs::path(path).replace_extension().string();
-  std::replace(name.begin(), name.end(), '/', '-');
-  return name;
 }
 
 std::string without(std::string text, const std::string& beginning) {
@@ -291,7 +351,9 @@ void registry(const RegistryArguments& arguments) {
       "were executed again with identical values, by whoever made this site");
   for (const fs::path& path : bundles_in(arguments.folder)) {
     try {
-      entries.push_back(read_entry((fs::path(arguments.folder) / path).string(), entry_name(path)));
+      Entry entry = read_entry(path, arguments);
+      publish(entry, arguments);
+      entries.push_back(std::move(entry));
     } catch (const Error& error) {
       print_notice(std::string("left out: ") + error.what());
       page.remarks.push_back("Left out: " + without(error.what(), arguments.folder + "/"));
@@ -304,13 +366,12 @@ void registry(const RegistryArguments& arguments) {
   for (const auto& [key, members] : sets) groups.push_back(make_group(members));
   for (const Group& group : groups) page.tables.push_back(table_of(group));
   PrivilegedMethods privileged;
-  for (const Entry& entry : entries) {
-    publish(entry, arguments);
-    privileged.add(privileged_methods(entry.runs.manifest));
-  }
+  for (const Entry& entry : entries) privileged.add(privileged_methods(entry.runs.manifest));
   page.footnote = privileged_footnote(privileged);
+  std::map<std::string, std::string> names;  // by place
+  for (const Entry& entry : entries) names[entry.place] = entry.name;
   const auto address_of = [&](const std::string& column, const std::string& field) {
-    if (column == "bundle") return "bundles/" + address_text(field);
+    if (column == "bundle") return "bundles/" + names.at(field) + ".slalom";
     if (column == "report" && arguments.reports)
       return "reports/" + address_text(field) + "/index.html";
     return std::string();
@@ -335,6 +396,8 @@ void define_registry(CLI::App& app) {
       "of scenarios and settings");
   verb->add_option("folder", arguments.folder, "A folder with bundles (.slalom)")->required();
   verb->add_option("-o,--output", arguments.output, "Folder to write to")->required();
+  verb->add_option("--verifications", arguments.verifications,
+                   "Folder with what slalom-simulate verify --badge wrote there for the registry");
   verb->add_option("--title", arguments.title, "Title of the site")->capture_default_str();
   verb->add_flag("!--no-reports", arguments.reports, "Without a report of each bundle");
   verb->callback([] { registry(arguments); });

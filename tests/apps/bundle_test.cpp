@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace slalom {
 namespace {
 
@@ -68,7 +70,7 @@ TEST_F(Bundles, AreVerifiedAsTheResultsAreThatTheyWereMadeOf) {
   EXPECT_EQ(run("slalom-analyze dump a.slalom").out, run("slalom-analyze dump runs.results").out);
   const ProgramResult verified = run("slalom-simulate verify a.slalom --fraction 1 --badge");
   EXPECT_EQ(verified.status, 0) << verified.err;
-  EXPECT_NE(verified.out.find(", generated again\n8 runs in 4 scenarios are identical\n"),
+  EXPECT_NE(verified.out.find(", generated again\n8 of 8 runs in 4 of 4 scenarios are identical\n"),
             std::string::npos)
       << verified.out;
   const auto badge = nlohmann::json::parse(read("a.slalom.verified.json"));
@@ -183,6 +185,94 @@ TEST_F(Bundles, ForgedValuesAreFound) {
   expect_found("/seed was ");
 }
 
+TEST_F(Bundles, WhoseFileTakesTheNameOfAShippedLibraryExecuteNothing) {
+  // The campaign names a library of Slalom; a file of its option would be executed in its place.
+  for (const std::string key : {"method.gap.plugin", "method.nd.plugin", "method.gap.module"}) {
+    SCOPED_TRACE(key);
+    forge({[&](Manifest& manifest) {
+            manifest[key + "_hash"] = Hasher().add("content").hex();
+            if (key == "method.nd.plugin") {
+              set_in_campaign(manifest, "class = CHolonomicND",
+                              "class = CHolonomicND\nplugin = libslalom_nd_plus.so");
+            } else if (key == "method.gap.module") {
+              set_in_campaign(manifest, "adapter = library", "adapter = python\nclass = A");
+              set_in_campaign(manifest, "plugin = libslalom_follow_the_gap.so", "module = m.py");
+            }
+          }},
+          {{{key, "content"}}});
+    expect_failure("slalom-simulate verify forged.slalom --quiet", 2,
+                   {"forged.slalom: its methods would execute", "--trust"});
+  }
+}
+
+TEST_F(Bundles, DamagedRunsAreFoundWithAnySample) {
+  ASSERT_EQ(run("sqlite3 runs.results \"UPDATE runs SET m_time_to_goal = 1\"").status, 0);
+  expect_failure("slalom-simulate verify runs.results --quiet", 3,
+                 {"/0 is damaged (does not match its checksum), 8 in all", "an unmodified file"});
+}
+
+TEST_F(Bundles, ASampleIsRandomUnlessItsSeedIsGiven) {
+  std::set<std::string> seeds;
+  for (int i = 0; i < 3; ++i) {
+    const std::string out = run("slalom-simulate verify runs.results --quiet").out;
+    seeds.insert(out.substr(0, out.find('\n')));
+  }
+  EXPECT_EQ(seeds.size(), 3U);
+  const std::string seed = seeds.begin()->substr(std::string("sample: ").size());
+  const ProgramResult one = run("slalom-simulate verify runs.results --quiet " + seed);
+  EXPECT_EQ(run("slalom-simulate verify runs.results --quiet " + seed).out, one.out);
+  // Of four scenarios one is taken: a change in three of them is missed with 1/4, in all never.
+  EXPECT_NE(one.out.find("if they are in 4 of 4 scenarios or more\n2 of 8 runs in 1 of 4 scenarios "
+                         "are identical\n"),
+            std::string::npos)
+      << one.out;
+}
+
+TEST_F(Bundles, ALimitOfTimeThatTheseRunsCannotReachIsADifference) {
+  forge({[](Manifest&) {},
+         [](RunRecord& run) {
+           if (run.method != "gap") return true;
+           run.outcome = "method_deadline";
+           run.outcome_detail = "run_wall_time = 60 s exceeded, a wall-clock limit on this machine";
+           return true;
+         }});
+  expect_found("ended at a time limit in the file (run_wall_time = 60 s exceeded");
+  expect_found("too early for a slower machine");
+}
+
+TEST_F(Bundles, AStopOfAnotherMomentIsFound) {
+  write("small.ini", kSmallCampaign);
+  ASSERT_EQ(run("slalom-evaluate small.ini --set scenarios.count=60 --until 'interval(success) < "
+                "0.6' -o until --quiet --bundle u.slalom")
+                .status,
+            0);
+  const ProgramResult honest = run("slalom-simulate verify u.slalom --quiet");
+  EXPECT_EQ(honest.status, 0) << honest.out << honest.err;
+  // Left out is one scenario, as one in which a method fails.
+  forge({[](Manifest&) {}, [](RunRecord&) { return true; },
+         [](std::size_t number) { return number > 0; }},
+        {}, "until/runs.results");
+  expect_found("its manifest states until = interval(success) < 0.6, which stops after ");
+}
+
+TEST_F(Bundles, AStatementThatIsLeftOutIsComparedAsItsDefault) {
+  forge({[](Manifest& manifest) {
+    manifest["campaign.ini"] += "\n[robot]\nmax_w = 1.4\n";
+    std::string& text = manifest["campaign.effective"];
+    const std::size_t at = text.find("max_w = ");
+    text.erase(at, text.find('\n', at) + 1 - at);
+  }});
+  expect_found("its manifest states robot.max_w = absent, its campaign has 1.4");
+}
+
+TEST_F(Bundles, ARunWhoseRepetitionIsNoIntIsDamaged) {
+  ASSERT_EQ(
+      run("sqlite3 runs.results \"UPDATE runs SET repetition = 4294967296 WHERE run = 1\"").status,
+      0);
+  expect_failure("slalom-simulate verify runs.results --quiet", 3,
+                 {"/4294967296: is damaged", "an unmodified file"});
+}
+
 TEST_F(Bundles, MissingRunsAndScenariosAreFound) {
   bool left_out = false;
   forge({[](Manifest&) {}, [&](RunRecord&) { return std::exchange(left_out, true); }});
@@ -248,7 +338,7 @@ TEST_F(Bundles, CarryTheFilesOfTheirMethods) {
   EXPECT_EQ(files[0].content, read("mine.so"));
   std::filesystem::remove(folder_ / "mine.so");
   expect_failure("slalom-simulate verify a.slalom --quiet", 2,
-                 {"would execute", "plugin = ./mine.so", "--trust", "unpack"});
+                 {"would execute", "plugin = method.gap/mine.so", "--trust", "unpack"});
   const ProgramResult verified =
       run("slalom-simulate verify a.slalom --trust --fraction 1 --quiet");
   EXPECT_EQ(verified.status, 0) << verified.out << verified.err;

@@ -166,14 +166,14 @@ TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
             0);
   const ProgramResult same =
       run("slalom-simulate verify a.results --trust --fraction 1 --quiet -j 2");
-  EXPECT_EQ(last_line(same.out), "8 runs in 4 scenarios are identical") << same.err;
+  EXPECT_EQ(last_line(same.out), "8 of 8 runs in 4 of 4 scenarios are identical") << same.err;
   EXPECT_EQ(last_line(run("slalom-simulate verify a.results --trust --quiet").out),
-            "2 runs in 1 scenario are identical");
+            "2 of 8 runs in 1 of 4 scenarios are identical");
   const std::string dump = run("slalom-analyze dump a.results").out;
   const std::string key = "\"hash\":\"";
   const std::string id = dump.substr(dump.find(key) + key.size(), 8) + "/gap/0";
   EXPECT_EQ(run("slalom-simulate verify a.results --trust --quiet --run " + id).out,
-            "1 run in 1 scenario is identical\n")
+            "1 run is identical\n")
       << id;
   const ProgramResult unknown =
       run("slalom-simulate verify a.results --trust --quiet --run 0/gap/0");

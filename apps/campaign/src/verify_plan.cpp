@@ -5,8 +5,10 @@
 #include <slalom/app/method_dependencies.h>
 #include <slalom/app/quick_sample.h>
 #include <slalom/app/testbeds.h>
+#include <slalom/campaign/sequential_campaign.h>
 #include <slalom/campaign/shards.h>
 #include <slalom/core/error.h>
+#include <slalom/core/scratch_folder.h>
 #include <slalom/core/text.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/find_run.h>
@@ -110,8 +112,8 @@ PlanComparison compare_plan(const ResultFile& file, const CampaignConfig& config
   return plan;
 }
 
-std::vector<std::string> statement_differences(const ResultFile& file,
-                                               const CampaignConfig& config) {
+std::vector<std::string> statement_differences(const ResultFile& file, const CampaignConfig& config,
+                                               const IniFile& ini) {
   const auto is_compared = [](const std::string& key) {
     return !starts_with(key, "version.") && !starts_with(key, "scenarios.") &&
            !starts_with(key, "until") && !starts_with(key, kKeptPrefix) && !is_method_file(key);
@@ -119,11 +121,17 @@ std::vector<std::string> statement_differences(const ResultFile& file,
   const Manifest recorded = file.read_manifest();
   Manifest here = make_manifest(config, {}, std::nullopt);
   std::vector<std::string> differences;
-  // An option that another version of Slalom does not have is stated by one of them only.
   const auto parts = identity_parts(here), stated = identity_parts(recorded);
+  // An option that another version of Slalom does not have is stated by one of them only.
+  const auto is_stated = [&](const std::string& key) {
+    const std::size_t dot = key.rfind('.');
+    return parts.count(key) > 0 &&
+           (stated.count(key) > 0 ||
+            (dot != std::string::npos && ini.get(key.substr(0, dot), key.substr(dot + 1))));
+  };
   for (const IdentityDifference& difference : identity_differences(here, recorded))
-    if (is_compared(difference.key) && parts.count(difference.key) > 0 &&
-        stated.count(difference.key) > 0 && !differs_in_folders(difference, recorded))
+    if (is_compared(difference.key) && is_stated(difference.key) &&
+        !differs_in_folders(difference, recorded))
       differences.push_back(difference_text(difference));
   for (const char* key : {kPrivilegedKey, kKnownMapKey, "seed", "campaign"}) {
     const auto found = recorded.find(key);
@@ -168,7 +176,37 @@ ScenarioSet compare_scenarios(const ResultFile& file, const CampaignConfig& conf
                               std::to_string(hashes.size()) + " are not those that " + maker);
   if (set.differences.empty())
     set.text += sampled ? ", generated and chosen again" : ", generated again";
+  set.made = std::move(made);
   return set;
+}
+
+std::string compare_stop(const ResultFile& file, const Campaign& campaign,
+                         const std::vector<Scenario>& pool, const Execution& execution) {
+  const ScratchFolder folder;
+  Manifest manifest = file.read_manifest();
+  ResultFile copy = ResultFile::create(folder.path() + "/runs.results", manifest,
+                                       file.descriptors(), file.metrics());
+  std::size_t runs = 0;
+  for (const auto& [hash, name] : file.read_scenario_names()) {
+    copy.add_scenario(file.read_record(hash), file.read_scenario(hash), file.read_references(hash));
+    for (const RunRecord& run : file.read_runs(hash)) {
+      copy.add_run(run, {}, PackedTrajectory());
+      ++runs;
+    }
+  }
+  copy.commit();
+  long long max_runs = 0;
+  double confidence = 0;
+  parse_integer(manifest["until.max_runs"], max_runs);
+  if (!parse_number(manifest["until.confidence"], confidence) || max_runs < 0)
+    return "its manifest states until without until.confidence or until.max_runs";
+  const StoppingRule rule = parse_stopping_rule(
+      manifest["until"], static_cast<std::size_t>(max_runs), campaign.options, campaign.methods);
+  CampaignRecorder recorder(campaign, std::move(copy));
+  const SequentialReport report = run_until(recorder, rule, pool, confidence, execution);
+  if (!report.complete || report.runs == runs) return "";
+  return "its manifest states until = " + rule.text + ", which stops after " +
+         count_text(report.runs, "run") + "; the file has " + std::to_string(runs);
 }
 
 }  // namespace slalom

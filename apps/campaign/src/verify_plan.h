@@ -31,13 +31,15 @@ PlanComparison compare_plan(const ResultFile& file, const CampaignConfig& config
 
 /// Statements of the manifest that `config`, read from its .ini, does not make: an option, the
 /// methods that know the map. Versions, files of methods and the processor are not compared.
-std::vector<std::string> statement_differences(const ResultFile& file,
-                                               const CampaignConfig& config);
+/// A key that the manifest leaves out has its default, unless `ini` sets it.
+std::vector<std::string> statement_differences(const ResultFile& file, const CampaignConfig& config,
+                                               const IniFile& ini);
 
 /// The scenarios of a result file.
 struct ScenarioSet {
   std::string text;  ///< "667 scenarios, generated again, hash 0123..." or what they are instead
   std::vector<std::string> differences;
+  std::vector<Scenario> made;  ///< again; empty if the campaign does not generate all of them
 };
 
 /// Makes the scenarios again if the campaign generates all of them, and compares. A list and maps
@@ -45,5 +47,11 @@ struct ScenarioSet {
 /// the test bed that has it.
 ScenarioSet compare_scenarios(const ResultFile& file, const CampaignConfig& config, int jobs,
                               Progress& progress);
+
+/// Applies the stopping rule of the manifest again to the runs of the file, with `pool` as what its
+/// campaign generates. Returns what contradicts it; "" if it stops after these runs. Runs that the
+/// file lacks until then are executed.
+std::string compare_stop(const ResultFile& file, const Campaign& campaign,
+                         const std::vector<Scenario>& pool, const Execution& execution);
 
 }  // namespace slalom

@@ -39,9 +39,10 @@ struct DifferingRun {
 class ComparingSink : public CampaignSink {
  public:
   /// `first_repetition`: earlier ones are not compared.
-  ComparingSink(const ResultFile& file, int first_repetition)
+  ComparingSink(const ResultFile& file, const CampaignOptions& options, int first_repetition)
       : file_(file),
         campaign_(file.read_manifest()["campaign"]),
+        options_(options),
         first_repetition_(first_repetition) {}
 
   void add_scenario(const ScenarioRecord& record, const References& references,
@@ -56,40 +57,72 @@ class ComparingSink : public CampaignSink {
                                    ": its reference paths are different");
   }
 
-  void add_run(const RunRecord& run, const RunTiming&,
+  void add_run(const RunRecord& run, const RunTiming& timing,
                const PackedTrajectory& trajectory) override {
     if (run.repetition < first_repetition_) return;
     const auto recorded = file_.read_run(run.scenario_hash, run.method, run.repetition);
     if (!recorded) return;  // of an incomplete campaign
     ++report.runs;
+    VerifiedRuns& of_method = report.methods[run.method];
+    ++of_method.runs;
     const std::string before =
         dump_line(campaign_, file_.read_record(run.scenario_hash), *recorded);
     const std::string now = dump_line(campaign_, record_[run.scenario_hash], run);
-    if (before == now) return;
-    for (const RunRecord* record : {&*recorded, &run}) {
-      if (record->outcome != to_string(Outcome::MethodDeadline)) continue;
-      report.time_limits.push_back("run " + run_id(run) +
-                                   ": ended at a time limit on one of the machines (" +
-                                   record->outcome_detail + ")");
-      return;
-    }
-    differing.push_back({{run, trajectory}, line_difference(before, now)});
+    if (before == now)
+      ++of_method.identical;
+    else if (run.outcome == kDeadline)
+      report.time_limits.push_back("run " + run_id(run) + ": ended at a time limit here (" +
+                                   run.outcome_detail + ")");
+    else if (recorded->outcome == kDeadline)
+      compare_limited(run, *recorded, timing);
+    else
+      differing.push_back({{run, trajectory}, line_difference(before, now)});
   }
 
   VerifyReport report;
   std::vector<DifferingRun> differing;
 
  private:
+  inline static const std::string kDeadline{to_string(Outcome::MethodDeadline)};
+
+  /// A run that a limit of time ended in the file, and not here.
+  void compare_limited(const RunRecord& run, const RunRecord& recorded, const RunTiming& timing) {
+    const std::string told = "run " + run_id(run) + ": ended at a time limit in the file (" +
+                             recorded.outcome_detail + ")";
+    if (may_reach_limit(timing))
+      report.time_limits.push_back(told);
+    else
+      report.differences.push_back(told + "; here with " + run.outcome + " after " +
+                                   format_fixed(timing.wall_seconds, 3) +
+                                   " s, too early for a slower machine");
+  }
+
+  /// Whether a machine that is kSlowdown times slower may reach a limit of time in this run.
+  bool may_reach_limit(const RunTiming& timing) const {
+    const auto cycle = timing.values.find("cycle_time_max");
+    const double seconds = timing.wall_seconds * kSlowdown;
+    const double cycle_seconds =
+        cycle == timing.values.end() ? 0 : cycle->second / 1000 * kSlowdown;
+    const LimitsSection& limits = options_.limits;
+    return (limits.run_wall_time > 0 && seconds >= limits.run_wall_time) ||
+           (limits.run_cpu_time > 0 && seconds >= limits.run_cpu_time) ||
+           (options_.deadline.cycle_deadline > 0 &&
+            cycle_seconds >= options_.deadline.cycle_deadline);
+  }
+
+  static constexpr double kSlowdown = 10;
   const ResultFile& file_;
   std::string campaign_;
+  const CampaignOptions& options_;
   int first_repetition_;
   std::map<std::string, ScenarioRecord> record_;
 };
 
 std::vector<Scenario> sample_scenarios(const ResultFile& file, const VerifySample& sample) {
-  std::vector<std::string> hashes = read_results(file.path(), {{"success"}}).scenario_hashes;
+  std::vector<std::string> hashes;
+  for (const auto& [hash, name] : file.read_scenario_names()) hashes.push_back(hash);
   const auto order = [&](const std::string& hash) {
-    return Hasher().add(sample.seed).add(hash).hex();
+    return Hasher().add(sample.seed.value_or(0)).add(hash).hex();
   };
   std::sort(hashes.begin(), hashes.end(),
             [&](const std::string& a, const std::string& b) { return order(a) < order(b); });
@@ -177,21 +210,40 @@ bool explain_differences(const std::vector<DifferingRun>& runs, const Manifest& 
   return again.complete;
 }
 
+/// Checksums of all runs and scenarios: a sample would miss most of them.
+void require_intact(const ResultFile& file) {
+  const std::vector<std::string> damaged = read_results(file.path()).damaged;
+  if (!damaged.empty())
+    throw file_error(file.path(),
+                     damaged.front() + " is damaged (does not match its checksum), " +
+                         std::to_string(damaged.size()) + " in all",
+                     "an unmodified file");
+}
+
 /// Compares what does not need an execution: the plan, what the manifest states, the scenarios.
-void compare_whole(const ResultFile& file, const CampaignConfig& config,
-                   const CampaignArguments& arguments, const VerifySample& sample,
+void compare_whole(const ResultFile& file, const CampaignConfig& config, const IniFile& ini,
+                   const Campaign& campaign, const Execution& execution, const VerifySample& sample,
                    VerifyReport& report) {
   const PlanComparison plan = compare_plan(file, config);
   report.total_runs = plan.present;
+  report.total_scenarios = file.read_scenario_names().size();
   if (!plan.shard.empty()) return;
   if (!plan.complete()) report.differences.push_back("the file " + plan.text());
-  for (const std::string& line : statement_differences(file, config))
+  for (const std::string& line : statement_differences(file, config, ini))
     report.differences.push_back(line);
   if (!sample.scenarios) return;
-  const auto progress = make_interruptible_progress(arguments.quiet);
-  ScenarioSet set = compare_scenarios(file, config, worker_count(arguments.jobs), *progress);
+  ScenarioSet set = compare_scenarios(file, config, execution.workers, execution.progress);
   report.scenario_set = std::move(set.text);
   std::move(set.differences.begin(), set.differences.end(), std::back_inserter(report.differences));
+  const Manifest manifest = file.read_manifest();
+  if (manifest.count("until") == 0) return;
+  if (set.made.empty()) {
+    report.unchecked.push_back("until: the number of scenarios cannot be verified without " +
+                               std::string("the list or the maps of the campaign"));
+  } else if (const std::string stop = compare_stop(file, campaign, set.made, execution);
+             !stop.empty()) {
+    report.differences.push_back(stop);
+  }
 }
 
 }  // namespace
@@ -199,10 +251,13 @@ void compare_whole(const ResultFile& file, const CampaignConfig& config,
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
                             const VerifySample& sample, const EnvironmentHandler& on_environment) {
   const ResultFile file = ResultFile::open(path);
+  require_intact(file);
   Manifest manifest = file.read_manifest();
   const IniFile ini =
       arguments.config.empty() ? recorded_ini(manifest, path) : load_campaign_ini(arguments);
   CampaignConfig config = read_campaign(ini);
+  if (arguments.config.empty() && !sample.trust)
+    require_no_foreign_code(ini, method_sections(ini, config.methods), path);
   add_measured(manifest, path, config.options);
   config.effective_ini = effective_ini(ini, config);
   const auto planner = make_ompl_planner(config.reference, config.options.robot);
@@ -210,8 +265,6 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
       sample.run.empty() ? std::nullopt : std::optional(find_run(file, sample.run));
   const std::vector<Scenario> scenarios =
       only ? restrict_to_run(file, *only, config) : sample_scenarios(file, sample);
-  if (arguments.config.empty() && !sample.trust)
-    require_no_foreign_code(ini, method_sections(ini, config.methods), path);
   check_campaign(config);
   std::vector<std::string> environment =
       environment_differences(manifest, make_manifest(config, {}, std::nullopt), path);
@@ -219,32 +272,57 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
   const Campaign campaign{config.options, scenarios, config.methods, planner.get()};
   const auto progress = make_terminal_progress(arguments.quiet);
   const InterruptGuard guard;
-  ComparingSink sink(file, only ? only->repetition : 0);
+  ComparingSink sink(file, config.options, only ? only->repetition : 0);
   const Execution execution{campaign_workers(config, arguments), *progress, InterruptGuard::raised};
   sink.report.environment = std::move(environment);
-  if (!only) compare_whole(file, config, arguments, sample, sink.report);
+  if (!only) compare_whole(file, config, ini, campaign, execution, sample, sink.report);
   const CampaignSummary summary = run_campaign(campaign, sink, execution);
   sink.report.complete = summary.complete && explain_differences(sink.differing, manifest, campaign,
                                                                  execution, sink.report);
   return sink.report;
 }
 
+std::size_t VerifyReport::identical_runs() const {
+  std::size_t count = 0;
+  for (const auto& [method, verified] : methods) count += verified.identical;
+  return count;
+}
+
+std::size_t detectable_changes(std::size_t sampled, std::size_t all) {
+  // Without replacement: C(all - changed, sampled) / C(all, sampled) is the probability to see
+  // none.
+  double unseen = 1;
+  std::size_t changed = 0;
+  while (unseen > 0.05 * (1 + 1e-9) && changed < all) {
+    unseen *= std::max(0.0, 1 - static_cast<double>(sampled) / static_cast<double>(all - changed));
+    ++changed;
+  }
+  return changed;
+}
+
 std::string verdict(const VerifyReport& report, const std::string& path) {
   if (!report.complete) throw Interrupted("nothing was changed");
-  const std::size_t unequal = report.not_repeatable.size(), runs = report.identical_runs();
-  if (runs == 0 && unequal == 0 && report.runs > 0)
+  const std::size_t runs = report.identical_runs();
+  const std::size_t unverifiable = report.time_limits.size() + report.not_repeatable.size();
+  if (!report.differences.empty())
+    throw job_error(path,
+                    count_text(report.differences.size(), "difference") + " in " +
+                        count_text(report.runs, "run") + " in " +
+                        count_text(report.scenarios, "scenario"),
+                    "identical results");
+  if (runs == 0 && report.time_limits.size() == report.runs && report.runs > 0)
     throw job_error(path,
                     "a time limit ended each of the runs on one of the machines, so that none was "
                     "compared",
                     "a machine that is fast enough, or longer [limits]");
-  const std::string what =
-      count_text(runs, "run") + " in " + count_text(report.scenarios, "scenario");
-  if (!report.differences.empty())
-    throw job_error(path, count_text(report.differences.size(), "difference") + " in " + what,
-                    "identical results");
+  const std::string what = report.total_runs == 0
+                               ? count_text(runs, "run")
+                               : std::to_string(runs) + " of " +
+                                     count_text(report.total_runs, "run") + " in " +
+                                     std::to_string(report.scenarios) + " of " +
+                                     count_text(report.total_scenarios, "scenario");
   return what + (runs == 1 ? " is identical" : " are identical") +
-         (unequal == 0 ? ""
-                       : "; " + count_text(unequal, "run") + " of methods that are not repeatable");
+         (unverifiable == 0 ? "" : "; " + count_text(unverifiable, "run") + " cannot be verified");
 }
 
 }  // namespace slalom

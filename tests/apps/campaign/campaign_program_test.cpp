@@ -154,32 +154,60 @@ void copy_with_outcome(const std::string& from, const std::string& to, Outcome o
   copy.commit();
 }
 
-TEST_F(CampaignProgram, VerifyTakesTimeLimitsForDifferencesOfTheMachines) {
-  const auto given = arguments();
-  CampaignConfig config = read_campaign(load_campaign_ini(given));
-  auto scenarios = campaign_scenarios(config, given);
+TEST_F(CampaignProgram, VerifyTakesOnlyTimeLimitsForDifferencesOfTheMachines) {
   const std::string path = folder_ + "/runs.results", other = folder_ + "/other.results";
-  ResultFile results = open_campaign_results(config, given, scenarios, path);
-  run_campaign_program(config, given, std::move(scenarios), std::move(results));
-  const auto verify = [&](Outcome outcome) {
+  const auto verify = [&](const std::vector<std::string>& overrides, Outcome outcome) {
+    for (const std::string& file : {path, other}) std::filesystem::remove(file);
+    const auto given = arguments(overrides);
+    CampaignConfig config = read_campaign(load_campaign_ini(given));
+    auto scenarios = campaign_scenarios(config, given);
+    ResultFile results = open_campaign_results(config, given, scenarios, path);
+    run_campaign_program(config, given, std::move(scenarios), std::move(results));
     copy_with_outcome(path, other, outcome, "run_wall_time = 60 s exceeded");
     return verify_results(other, given, {}, [](const auto&) {});
   };
-  const VerifyReport limited = verify(Outcome::MethodDeadline);
+  // Any machine that is slower than this one may need more than a limit of 1e-9 s of a cycle; the
+  // policy to hold the last command has the same result on both.
+  const VerifyReport limited = verify({"limits.cycle_deadline=1e-9", "limits.deadline_policy=hold"},
+                                      Outcome::MethodDeadline);
   EXPECT_TRUE(limited.differences.empty());
   ASSERT_EQ(limited.time_limits.size(), 1U);
-  EXPECT_NE(limited.time_limits[0].find("/nd/0: ended at a time limit on one of the machines "
-                                        "(run_wall_time = 60 s exceeded)"),
+  EXPECT_NE(limited.time_limits[0].find("/nd/0: ended at a time limit in the file (run_wall_time = "
+                                        "60 s exceeded)"),
             std::string::npos)
       << limited.time_limits[0];
+  EXPECT_EQ(limited.identical_runs(), 0U);
   EXPECT_TRUE(throws_error(ErrorKind::Job, other, {"none was compared", "longer [limits]"},
                            [&] { verdict(limited, other); }));
-  std::filesystem::remove(other);
-  const VerifyReport crashed = verify(Outcome::MethodCrash);
+  // No machine is a thousand times slower.
+  const VerifyReport impossible = verify({"limits.run_wall_time=36000"}, Outcome::MethodDeadline);
+  ASSERT_EQ(impossible.differences.size(), 1U);
+  EXPECT_NE(impossible.differences[0].find("too early for a slower machine"), std::string::npos);
+  const VerifyReport crashed = verify({}, Outcome::MethodCrash);
   EXPECT_EQ(crashed.differences.size(), 1U);
   EXPECT_TRUE(crashed.time_limits.empty());
   EXPECT_TRUE(throws_error(ErrorKind::Job, other, {"1 difference in 1 run in 1 scenario"},
                            [&] { verdict(crashed, other); }));
+}
+
+TEST(DetectableChanges, AreThoseOfWhichASampleWithoutReplacementContainsOne) {
+  EXPECT_EQ(detectable_changes(20, 20), 1U);
+  // C(10, 1) / C(20, 1) = 0.5 ...: of 19 changed scenarios one drawn is missed with 1/20.
+  EXPECT_EQ(detectable_changes(1, 20), 19U);
+  for (const std::size_t all : {30U, 200U})
+    for (const std::size_t sampled : {2U, 5U, 29U}) {
+      const auto unseen = [&](std::size_t changed) {
+        double p = 1;
+        for (std::size_t i = 0; i < sampled; ++i)
+          p *= changed + i >= all
+                   ? 0.0
+                   : static_cast<double>(all - changed - i) / static_cast<double>(all - i);
+        return p;
+      };
+      const std::size_t found = detectable_changes(sampled, all);
+      EXPECT_LE(unseen(found), 0.05 + 1e-12);
+      EXPECT_GT(unseen(found - 1), 0.05 - 1e-12);
+    }
 }
 
 TEST_F(CampaignProgram, RefusesResultsOfAnotherCampaignNamingWhatDiffers) {

@@ -5,8 +5,11 @@
 #include "result_schema.h"
 #include "value_columns.h"
 
+#include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
+#include <slalom/trajectory/trajectory.h>
 
 #include <algorithm>
 #include <limits>
@@ -206,7 +209,9 @@ class ColumnReader {
     Reasons reasons(metrics_, path_);
     std::int64_t count = 0;
     for (; rows.next(); ++count) {
-      if (!rows.is_intact(RunColumn::Scenario, checksum)) {
+      const std::int64_t repetition = rows.integer(RunColumn::Repetition);
+      if (!rows.is_intact(RunColumn::Scenario, checksum) || repetition < 0 ||
+          repetition > std::numeric_limits<int>::max()) {
         report_damage("run", rows);
         continue;
       }
@@ -217,8 +222,7 @@ class ColumnReader {
         columns_.scenario_names.emplace_back(rows.text(RunColumn::ScenarioName));
       }
       columns_.method.push_back(methods.index_of(rows.text(RunColumn::Method)));
-      columns_.repetition.push_back(
-          static_cast<std::uint32_t>(rows.integer(RunColumn::Repetition)));
+      columns_.repetition.push_back(static_cast<std::uint32_t>(repetition));
       columns_.outcome.push_back(outcomes.index_of(rows.text(RunColumn::Outcome)));
       for (std::size_t i = 0; i < metrics_.size(); ++i) {
         if (rows.is_null(metric_columns[i])) {
@@ -232,6 +236,10 @@ class ColumnReader {
                                   rows.text(RunColumn::OutcomeDetail),
                                   rows.text(RunColumn::TrajectoryHash), 0});
     }
+    for (const std::string& outcome : columns_.outcomes)
+      if (!from_name<Outcome>(outcome))
+        throw file_error(path_, "contains an unknown outcome '" + outcome + "'",
+                         "one of " + join(names_of<Outcome>(), ", "));
     expect_count_of_runs(database_, path_, count);
   }
 

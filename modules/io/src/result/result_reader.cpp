@@ -12,6 +12,7 @@
 #include <slalom/references/reference_codec.h>
 
 #include <filesystem>
+#include <limits>
 
 namespace slalom {
 namespace {
@@ -90,6 +91,11 @@ std::map<std::string, double> numbers_in(const std::string& text, const std::str
   return numbers;
 }
 
+/// Whether a number of a row, which a forger may have written, is the repetition of a run.
+bool is_repetition(std::int64_t number) {
+  return number >= 0 && number <= std::numeric_limits<int>::max();
+}
+
 /// A run without its metrics, of a row that may be damaged.
 RunRecord run_without_metrics(SQLite::Statement& row) {
   const auto text = [&](int column) { return row.getColumn(column).getString(); };
@@ -127,7 +133,8 @@ std::int64_t use_runs(const OpenResultFile& file, const DamageHandler& report, U
   for (auto row = bound(*file.database, select_runs(file.metrics, which), keys...);
        row.executeStep(); ++count) {
     RunRecord run = run_without_metrics(row);
-    if (is_intact(row, RunColumn::Scenario)) {
+    if (is_intact(row, RunColumn::Scenario) &&
+        is_repetition(row.getColumn(RunColumn::Repetition).getInt64())) {
       read_metrics(row, file, run);
       use(std::move(run));
     } else if (report) {
@@ -238,9 +245,15 @@ void ResultFile::for_each_key(const std::function<void(const std::string&, const
                                                        const std::string&)>& use) const {
   reading(impl_->path, [&] {
     SQLite::Statement rows = impl_->select("scenario, method, repetition, outcome FROM runs");
-    while (rows.executeStep())
-      use(rows.getColumn(0).getString(), rows.getColumn(1).getString(), rows.getColumn(2).getInt(),
-          rows.getColumn(3).getString());
+    while (rows.executeStep()) {
+      const std::int64_t repetition = rows.getColumn(2).getInt64();
+      const std::string hash = rows.getColumn(0).getString(),
+                        method = rows.getColumn(1).getString();
+      if (!is_repetition(repetition))
+        throw damaged(*impl_,
+                      "run " + hash.substr(0, 8) + "/" + method + "/" + std::to_string(repetition));
+      use(hash, method, static_cast<int>(repetition), rows.getColumn(3).getString());
+    }
   });
 }
 
