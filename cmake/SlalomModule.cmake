@@ -32,6 +32,7 @@ function(slalom_add_part NAME)
   set_target_properties(slalom_${NAME}_part PROPERTIES
     OUTPUT_NAME slalom_${NAME} CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/slalom/runtime)
+  add_dependencies(slalom_parts slalom_${NAME}_part)
   install(TARGETS slalom_${NAME}_part LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/slalom/runtime)
 endfunction()
 
@@ -79,6 +80,7 @@ function(slalom_test NAME)
     set(optimization -O1)
   endif()
   slalom_optimize(${NAME} slalom_precompiled_test ${optimization})
+  add_dependencies(${NAME} slalom_parts)  # which the programs that it starts may load
   add_test(NAME ${NAME} COMMAND ${NAME})
   set_tests_properties(${NAME} PROPERTIES TIMEOUT ${SLALOM_TEST_TIMEOUT})
 endfunction()
