@@ -31,7 +31,7 @@ if [ "${SLALOM_REGISTRY:-}" != OFF ]; then
   [ -x "$bin/slalom-simulate" ] || { echo "docs.sh: $bin/slalom-simulate: no such program; expected a build" >&2; exit 1; }
   entries=${SLALOM_REGISTRY:-$work/baselines/slalom-small}
   [ -n "${SLALOM_REGISTRY:-}" ] || scripts/baselines.sh "$work/baselines" slalom-small >"$work/log"
-  PATH="$bin:$PATH" REPORTS=0 examples/registry/verify.sh "$entries" "$work/registry" >"$work/log" ||
+  PATH="$bin:$PATH" REPORTS=0 examples/registry/verify.sh "$entries" "$work/registry" "$work/verifications" >"$work/log" ||
     { cat "$work/log" >&2; exit 1; }
 fi
 

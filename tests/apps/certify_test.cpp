@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -226,9 +227,36 @@ TEST_F(Certify, ASampleOfTheBatchesOfARiskIsVerified) {
   const ProgramResult sampled = run("slalom-certify verify a.json --quiet --sample 1 --seed 7");
   EXPECT_EQ(sampled.out, "a.json: 1 of 1 batches (0) identical, sample 7\n") << sampled.err;
   Json changed = certificate("a.json");
-  changed["answer"]["batches"][0]["hits"] = 1;
+  changed["answer"]["batches"][0]["hash"] = "0";
   write("b.json", changed.dump());
   expect_failure("slalom-certify verify b.json --quiet --sample 1", 1, {"batch 0: differs"});
+  // Whatever follows from the batches is recomputed before any run.
+  const auto forged = [&](const std::function<void(Json&)>& change) {
+    Json other = certificate("a.json");
+    change(other["answer"]);
+    write("b.json", other.dump());
+    return "slalom-certify verify b.json --quiet --sample 1";
+  };
+  expect_failure(forged([](Json& answer) { answer["bound"] = 1e-4; }), 1, {"bound: differs"});
+  expect_failure(
+      forged([](Json& answer) { answer["claim"] = "probability of collision <= 0.0001"; }), 1,
+      {"claim: differs"});
+  expect_failure(forged([](Json& answer) { answer["runs"] = 2000000; }), 1,
+                 {"runs: differs: 60 instead of 2000000"});
+  expect_failure(forged([](Json& answer) {
+                   answer["runs"] = 2000000;
+                   answer["batches"][0]["runs"] = 2000000;
+                 }),
+                 1, {"batch 0: differs", "batches of 10000 runs"});
+  expect_failure(forged([](Json& answer) {
+                   answer["batches"][0]["runs"] = 10000;
+                   answer["batches"].push_back(answer["batches"][0]);
+                 }),
+                 1, {"batch 1: differs: it has the runs of batch 0"});
+  expect_failure(forged([](Json& answer) {
+                   answer["outcome_counts"] = {{"success", 59}};
+                 }),
+                 1, {"outcome_counts: differs"});
   ASSERT_EQ(run(limit("-o limit.json")).status, 0);
   expect_failure("slalom-certify verify limit.json --quiet --sample 1", 2, {"no parts"});
 }

@@ -45,7 +45,9 @@ class RiskQuestion : public Question {
   static RunStream stream(const IniFile& ini, std::size_t batch);
   Json run_batch(const RunStream& runs, std::size_t max_runs, BlockRunner& runner,
                  Counts& counts) const;
-  double bound_of(const Counts& counts) const;
+  double bound_of(std::size_t runs, std::size_t hits, bool claimed) const;
+  bool shows(std::size_t runs, std::size_t hits) const;
+  void check_sums(const Json& answer) const;
   std::string claim_text(const Json& answer) const;
 
   std::vector<std::string> outcomes_ = {"collision"};
@@ -138,9 +140,9 @@ Json RiskQuestion::run_batch(const RunStream& runs, std::size_t max_runs, BlockR
 }
 
 /// Keeps what was excluded once: the bound is not above what the test has reached.
-double RiskQuestion::bound_of(const Counts& counts) const {
-  const double bound = failure_bound(counts.runs, counts.hits, confidence_);
-  return counts.test && counts.test->reached() ? std::min(bound, *at_most_) : bound;
+double RiskQuestion::bound_of(std::size_t runs, std::size_t hits, bool claimed) const {
+  const double bound = failure_bound(runs, hits, confidence_);
+  return claimed ? std::min(bound, *at_most_) : bound;
 }
 
 Json RiskQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) const {
@@ -152,9 +154,10 @@ Json RiskQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) c
                                 std::min(kBatch, budget() - counts.runs), runner, counts));
   Json outcomes = Json::object();
   for (const auto& [outcome, count] : counts.outcomes) outcomes[to_string(outcome)] = count;
+  const bool claimed = counts.test && counts.test->reached();
   Json answer = {{"claim", ""},
-                 {"claimed", counts.test && counts.test->reached()},
-                 {"bound", bound_of(counts)},
+                 {"claimed", claimed},
+                 {"bound", bound_of(counts.runs, counts.hits, claimed)},
                  {"runs", counts.runs},
                  {"hits", counts.hits},
                  {"outcome_counts", outcomes},
@@ -201,9 +204,60 @@ Statement RiskQuestion::statement(const Json& answer) const {
   return statement;
 }
 
+/// Whether these runs reach --at-most: the test ends with the first run that does, and its evidence
+/// depends on the numbers only.
+bool RiskQuestion::shows(std::size_t runs, std::size_t hits) const {
+  if (!at_most_) return false;
+  const RateTest test(1 - *at_most_, confidence_, close_rates_mixture());
+  return test.log_wealth(runs - hits, hits) >= test.log_target();
+}
+
+/// Recomputes all that follows from the batches, so that only their runs are left to be executed.
+void RiskQuestion::check_sums(const Json& answer) const {
+  const Json& batches = answer.at("batches");
+  std::size_t runs = 0, hits = 0, counted = 0, counted_hits = 0;
+  std::map<Json, std::size_t> hashes;
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    const auto size = batches.at(i).at("runs").get<std::size_t>();
+    const auto own_hits = batches.at(i).at("hits").get<std::size_t>();
+    const std::string name = "batch " + std::to_string(i);
+    if (size == 0 || own_hits > size || (i + 1 < batches.size() ? size != kBatch : size > kBatch))
+      throw job_error(name, "differs: " + batches.at(i).dump(),
+                      "batches of " + std::to_string(kBatch) + " runs, the last one of the rest");
+    const auto [other, is_new] = hashes.emplace(batches.at(i).at("hash"), i);
+    if (!is_new)
+      throw job_error(name, "differs: it has the runs of batch " + std::to_string(other->second));
+    runs += size;
+    hits += own_hits;
+  }
+  for (const auto& [outcome, count] : answer.at("outcome_counts").items()) {
+    const auto value = from_name<Outcome>(outcome);
+    if (!value) throw job_error("outcome_counts", "differs: unknown outcome '" + outcome + "'");
+    counted += count.get<std::size_t>();
+    if (is_hit(*value)) counted_hits += count.get<std::size_t>();
+  }
+  if (counted != runs || counted_hits != hits)
+    throw job_error("outcome_counts", "differs: " + std::to_string(counted_hits) + " of " +
+                                          std::to_string(counted) + " runs with the outcome, " +
+                                          std::to_string(hits) + " of " + std::to_string(runs) +
+                                          " in the batches");
+  Json expected = answer;
+  const bool claimed = shows(runs, hits);
+  expected["runs"] = runs;
+  expected["hits"] = hits;
+  expected["claimed"] = claimed;
+  expected["bound"] = bound_of(runs, hits, claimed);
+  expected["claim"] = claim_text(expected);
+  for (const char* key : {"runs", "hits", "claimed", "bound", "claim"})
+    if (answer.at(key) != expected.at(key))
+      throw job_error(
+          key, "differs: " + expected.at(key).dump() + " instead of " + answer.at(key).dump());
+}
+
 std::string RiskQuestion::verify_sample(const MethodCampaign& campaign, const Json& answer,
                                         BlockRunner& runner, std::size_t size,
                                         RandomEngine& engine) const {
+  check_sums(answer);
   const Json& batches = answer.at("batches");
   std::vector<std::size_t> order(batches.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
