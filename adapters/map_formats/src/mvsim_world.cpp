@@ -52,10 +52,19 @@ class MvsimReader {
   }
 
  private:
+  static constexpr std::size_t kMaxValue = 1000;
+
   void read_item(const XMLElement& item, const std::string& kind) {
     const std::string name = xml_attribute(item, "name"), type = xml_attribute(item, "class");
     if (kind == "variable") {
-      variables_[name] = xml_attribute(item, "value");
+      // Values of variables that name others grow exponentially.
+      const std::string value = with_variables(xml_attribute(item, "value"));
+      if (value.size() > kMaxValue)
+        throw file_.error(item,
+                          "the value of variable '" + name + "' has more than " +
+                              std::to_string(kMaxValue) + " characters",
+                          "a number, a name or a path");
+      variables_[name] = value;
     } else if (kind == "block:class") {
       classes_[name] = &item;
     } else if (kind == "for" || kind == "if") {
@@ -101,12 +110,15 @@ class MvsimReader {
 
   /// ${NAME} and $f{NAME} with their values.
   std::string with_variables(std::string text) const {
+    const std::size_t max_size = text.size() + 1000 * kMaxValue;
     for (const auto& [name, value] : variables_)
       for (const std::string begin : {"${", "$f{"}) {
         const std::string use = begin + name + "}";
         for (std::size_t at = text.find(use); at != std::string::npos;
              at = text.find(use, at + value.size()))
-          text.replace(at, use.size(), value);
+          if (text.replace(at, use.size(), value).size() > max_size)
+            throw file_.error(file_.root(), "values of variables name each other",
+                              "values without names of variables");
       }
     return text;
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "onnx_external_data.h"
+
 #include <slalom/app/adapters.h>
 #include <slalom/app/method_dependencies.h>
 #include <slalom/core/child_process.h>
@@ -94,20 +96,17 @@ std::vector<std::string> imported_modules(const std::string& path) {
   return output_of({"python3", "-I", "-S", "-W", "ignore", "-c", kFindImports, path});
 }
 
-/// The files of tensors outside of a model (onnx.proto, TensorProto.external_data): entries with
-/// the key "location", in protocol buffers' encoding.
+/// The files of tensors outside of a model that are below its folder, also behind links: a model
+/// may be a stranger's, and must not name private files.
 std::vector<std::string> external_data(const std::string& path) {
-  const std::string model = read_file(path, "a model"), entry = "\x0a\x08location\x12";
+  const fs::path folder = whole_path(path).parent_path();
   std::vector<std::string> files;
-  for (std::size_t at = model.find(entry); at != std::string::npos; at = model.find(entry, at)) {
-    at += entry.size();
-    std::size_t size = 0;
-    for (int shift = 0; shift < 21 && at < model.size(); shift += 7) {
-      const auto byte = static_cast<unsigned char>(model[at++]);
-      size |= static_cast<std::size_t>(byte & 0x7F) << shift;
-      if (byte < 0x80) break;
-    }
-    files.push_back((whole_path(path).parent_path() / model.substr(at, size)).string());
+  for (const std::string& location : onnx_external_data(read_file(path, "a model"))) {
+    std::error_code error;
+    const fs::path file = fs::weakly_canonical(folder / location, error);
+    const fs::path below = file.lexically_relative(fs::weakly_canonical(folder, error));
+    if (!error && fs::path(location).is_relative() && !below.empty() && *below.begin() != "..")
+      files.push_back((folder / location).string());
   }
   return files;
 }

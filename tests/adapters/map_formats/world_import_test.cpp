@@ -327,6 +327,23 @@ TEST_F(MvsimWorld, PlacesBlocksOfClassesWithVariables) {
   EXPECT_TRUE(mentions(world.message, {"1 shape below"}));
 }
 
+TEST_F(MvsimWorld, WhoseVariablesNameEachOtherIsRefused) {
+  // Each level has ten times the size of the one below: in order of their definition, and against.
+  for (const bool ascending : {true, false}) {
+    std::string content;
+    for (int i = 0; i < 12; ++i) {
+      const int level = ascending ? i : 11 - i;
+      std::string value = level == 0 ? "1234567890" : "";
+      for (int k = 0; k < 10 && level > 0; ++k)
+        value += "${V" + std::to_string(10 + level - 1) + "}";
+      content += "<variable name='V" + std::to_string(10 + level) + "' value='" + value + "'/>\n";
+    }
+    EXPECT_TRUE(rejects(content + "<block><init_pose>${V21} 0 0</init_pose></block>",
+                        {ascending ? "variable 'V12' has more than 1000 characters"
+                                   : "values of variables name each other"}));
+  }
+}
+
 TEST_F(MvsimWorld, HasDoorsInVerticalPlanes) {
   // A wall of 10 m with doors from 1 to 3 m and from 2.5 to 3.5 m.
   const auto polygons =

@@ -107,19 +107,47 @@ TEST_F(MethodDependencies, OfALibraryAreTheLibrariesThatItIsLinkedWith) {
             (Keys{"method.m.plugin/libnear.so", "method.m.plugin/parts/libfar.so"}));
 }
 
+/// A field of protocol buffers with bytes as its content.
+std::string field(int number, const std::string& content) {
+  return std::string(1, static_cast<char>(number * 8 + 2)) +
+         std::string(1, static_cast<char>(content.size())) + content;
+}
+
+/// An ONNX model with a tensor whose data are in a file (onnx.proto: graph 7, initializer 5,
+/// external_data 13, key 1, value 2), after a version (1) and a name (2).
+std::string model_with(const std::string& location) {
+  const std::string entry = field(1, "location") + field(2, location);
+  return std::string("\x08\x08", 2) + field(7, field(2, "net") + field(5, field(13, entry)));
+}
+
 TEST_F(MethodDependencies, OfAModelAreItsExternalData) {
   write("parts/weights", "");
-  write("beside", "");
-  // Entries of TensorProto.external_data: key and value, each with field number, type and length.
-  const auto entry = [](const std::string& file) {
-    return "\x0a\x08location\x12" + std::string(1, static_cast<char>(file.size())) + file;
-  };
-  const std::string model =
-      write("policy.onnx", "..." + entry("parts/weights") + "..." + entry("beside") + "...");
-  EXPECT_EQ(keys_of("", {{"method.m.model", model}}),
-            (Keys{"method.m.model/beside", "method.m.model/parts/weights"}));
-  const std::string cut = write("cut.onnx", entry("parts/weights").substr(0, 11));
-  EXPECT_EQ(keys_of("", {{"method.m.model", cut}}), Keys{});
+  const std::string model = write("policy.onnx", model_with("parts/weights"));
+  EXPECT_EQ(keys_of("", {{"method.m.model", model}}), Keys{"method.m.model/parts/weights"});
+  // A tensor of a constant: node 1, attribute 5, t 5.
+  const std::string entry = field(1, "location") + field(2, "parts/weights");
+  const std::string constant =
+      write("constant.onnx", field(7, field(1, field(5, field(5, field(13, entry))))));
+  EXPECT_EQ(keys_of("", {{"method.m.model", constant}}), Keys{"method.m.model/parts/weights"});
+  const std::string whole = model_with("parts/weights");
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_EQ(keys_of("", {{"method.m.model", write("cut.onnx", whole.substr(0, size))}}), Keys{});
+}
+
+TEST_F(MethodDependencies, OfAModelAreNoFilesOutsideOfItsFolderAndNoneThatOtherBytesName) {
+  for (const char* folder : {"/private", "/models"})
+    std::filesystem::create_directory(folder_ + folder);
+  write("private/key", "");
+  write("models/inside", "");
+  std::filesystem::create_symlink("../private/key", folder_ + "/models/link");
+  for (const std::string& location : {std::string("../private/key"), folder_ + "/private/key",
+                                      std::string("link"), std::string("inside/../../private/key")})
+    EXPECT_EQ(keys_of("", {{"method.m.model", write("models/m.onnx", model_with(location))}}),
+              Keys{})
+        << location;
+  // The same bytes in the text of a description (doc_string of the model: 6).
+  const std::string text = field(1, "location") + field(2, "inside");
+  EXPECT_EQ(keys_of("", {{"method.m.model", write("models/m.onnx", field(6, text))}}), Keys{});
 }
 
 TEST_F(MethodDependencies, OfOtherOptionsAreTheFilesThatTheyName) {
