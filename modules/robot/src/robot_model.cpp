@@ -164,6 +164,8 @@ void TrackerModel::visit(OptionVisitor& v) {
            Range::between(0, 1));
   v.option("latency", latency, "s", "age of the tracks when the method receives them",
            Range::at_least(0));
+  v.option("intention", intention,
+           "velocities of people are those just chosen for the coming period, not of the last one");
 }
 
 void OdometryModel::visit(OptionVisitor& v) {

@@ -26,12 +26,21 @@ TVector2D track_error(RandomEngine& random, double sigma) {
 
 }  // namespace
 
-MoverTracker::MoverTracker(const Movers& movers, const TrackerModel& model, std::uint64_t seed)
+MoverTracker::MoverTracker(const Movers& movers, const TrackerModel& model, std::uint64_t seed,
+                           std::size_t scripted)
     : movers_(movers),
+      scripted_(scripted),
       model_(model),
       position_(derive_seed(seed, "tracks/position")),
       velocity_(derive_seed(seed, "tracks/velocity")),
       dropout_(derive_seed(seed, "tracks/dropout")) {}
+
+/// m/s, of the motion up to `t` for people: they choose the one from `t` on at that instant.
+TPoint2D MoverTracker::known_velocity(std::size_t i, double t) const {
+  constexpr double kRounding = 1e-9;  // s, of times of updates
+  const bool is_chosen_now = i >= scripted_ && !model_.intention;
+  return movers_[i].velocity(is_chosen_now ? t - kRounding : t);
+}
 
 const std::vector<Track>& MoverTracker::sense(const TPose2D& pose, double t) {
   tracks_.clear();
@@ -46,7 +55,8 @@ const std::vector<Track>& MoverTracker::sense(const TPose2D& pose, double t) {
     const TPoint2D to = mover.position(t) - TPoint2D(pose);
     if (math::hypot(to.x, to.y) > model_.range) continue;
     tracks_.push_back({static_cast<std::int32_t>(i), rotated(to, cosine, -sine) + position_error,
-                       rotated(mover.velocity(t), cosine, -sine) + velocity_error, mover.radius});
+                       rotated(known_velocity(i, t), cosine, -sine) + velocity_error,
+                       mover.radius});
   }
   return tracks_;
 }

@@ -39,6 +39,7 @@ class RunMovers {
   /// Lets the people decide, and walk to the next update.
   void update(const SeenRobot& robot);
 
+  std::size_t scripted() const { return scripted_; }  ///< number of movers of the scenario
   bool is_person(const Mover& mover) const { return index_of(mover) >= scripted_; }
   /// Whether this person notices the robot.
   bool notices(const Mover& person) const {

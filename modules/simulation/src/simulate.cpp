@@ -42,7 +42,7 @@ class Run {
         observer_(observer),
         movers_(world, setup.robot.shape(), setup.people, options_.max_time, alone),
         sensor_(world, movers_.movers(), setup.sensor, seed),
-        tracker_(movers_.movers(), setup.tracker, seed),
+        tracker_(movers_.movers(), setup.tracker, seed, movers_.scripted()),
         checker_(world, movers_, setup.robot, options_),
         vehicle_(make_vehicle(setup.robot)),
         odometry_(setup.odometry, seed, world.scenario().start()),

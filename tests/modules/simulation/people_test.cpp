@@ -132,7 +132,7 @@ TEST(People, AreScannedAndTracked) {
       EXPECT_EQ(o.tracks->size(), 1U);
       EXPECT_EQ(o.tracks->at(0).id, 1) << "after the one mover, which is out of range";
       EXPECT_NEAR(o.tracks->at(0).position.x, 3 - 1.25 * o.time, 1e-9);
-      EXPECT_NEAR(o.tracks->at(0).velocity.x, -1.25, 1e-9);
+      EXPECT_NEAR(o.tracks->at(0).velocity.x, o.time > 0 ? -1.25 : 0, 1e-9);
       ++steps;
       return {};
     }
@@ -147,6 +147,34 @@ TEST(People, AreScannedAndTracked) {
       0.05);
   simulate(world, setup, 1, watcher);
   EXPECT_EQ(watcher.steps, 21);  // they touch at 2 s
+}
+
+TEST(People, HaveTracksWithTheVelocityOfTheirLastPeriodOrOfTheComingOne) {
+  for (const bool intention : {false, true}) {
+    std::vector<Track> tracks;  // in the axes of the world: the robot's heading is 0
+    class Watcher : public FunctionMethod {
+     public:
+      using FunctionMethod::FunctionMethod;
+      bool uses_tracks() const override { return true; }
+    } watcher([&](const Observation& o) {
+      tracks.push_back(o.tracks->at(0));
+      return Command{};
+    });
+    const Person eve{"eve", 0.3, 1.25, {8, 8}, {{2, 8}}, 0, PersonEnd::Stay};
+    const Person ben{"ben", 0.3, 1.25, {2, 7.9}, {{8, 8}}, 0, PersonEnd::Stay};
+    RunSetup setup = setup_of(0, PeopleModel::Orca);
+    setup.tracker.intention = intention;
+    setup.simulation.max_time = 3;
+    const double period = setup.simulation.control_period;
+    ASSERT_EQ(setup.people.period, period);
+    simulate(World(with_people({eve, ben}), 0.05), setup, 1, watcher);
+    ASSERT_GT(tracks.size(), 20U);
+    if (!intention) EXPECT_EQ(tracks[0].velocity, TPoint2D(0, 0));
+    for (std::size_t k = 1; k < tracks.size(); ++k) {
+      const TPoint2D moved = (tracks[k].position - tracks[k - 1].position) * (1 / period);
+      EXPECT_NEAR((moved - tracks[intention ? k - 1 : k].velocity).norm(), 0, 1e-9) << k;
+    }
+  }
 }
 
 TEST(People, WaitUntilARobotThatTheyNoticeHasLeftTheirPlace) {

@@ -89,13 +89,15 @@ struct SensorModel {
 SensorModel read_sensor_model(const IniFile& ini);
 
 /// The tracker of movers, for methods that declare that they use tracks. It sees all around the
-/// robot, also what is hidden behind walls. There is no noise by default. Section [tracks].
+/// robot, also what is hidden behind walls. There is no noise by default. People have the velocity
+/// of their last motion, and movers that of their path from now on. Section [tracks].
 struct TrackerModel {
   double range = 8.0;         ///< m, to the centers of movers
   double position_sigma = 0;  ///< m, standard deviation of each coordinate
   double velocity_sigma = 0;  ///< m/s, standard deviation of each coordinate
   double dropout_ratio = 0;   ///< fraction of tracks that are missing in a cycle
   double latency = 0;         ///< s, age of the tracks when the method receives them
+  bool intention = false;     ///< velocities of people are those of their coming period
 
   void visit(OptionVisitor& v);
 };
