@@ -1,15 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/distance.h>
 #include <slalom/people/run_alone.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace slalom {
 namespace {
 
+using mrpt::math::TPoint2D;
+
 bool same_place(const Waypoint& a, const Waypoint& b) {
   return a.position.x == b.position.x && a.position.y == b.position.y;
+}
+
+/// Whether `people[i]` starts apart from the others, and from walls as `start` does.
+bool has_room(const World& world, const People& people, std::size_t i, const TPoint2D& start) {
+  const Person& person = people[i];
+  const DistanceField& walls = world.distance_field();
+  if (walls.clearance(person.start) < std::min(person.radius, walls.clearance(start))) return false;
+  return std::all_of(people.begin(), people.end(), [&](const Person& other) {
+    return &other == &person || other.begin > 0 || person.begin > 0 ||
+           distance_between(person.start, other.start) >= person.radius + other.radius;
+  });
+}
+
+/// The value 1e-12 (m) beside, or the next one.
+double beside(double value, int sign) {
+  constexpr double kShift = 1e-12;
+  const double moved = value + sign * kShift;
+  return moved != value ? moved : std::nextafter(value, sign * HUGE_VAL);
+}
+
+/// The people of the world, of whom the first one with room does not start exactly at its start.
+People shifted(const World& world) {
+  People people = world.scenario().people();
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    TPoint2D& start = people[i].start;
+    const TPoint2D before = start;
+    for (const TPoint2D& moved :
+         {TPoint2D(beside(start.x, 1), start.y), TPoint2D(beside(start.x, -1), start.y),
+          TPoint2D(start.x, beside(start.y, 1)), TPoint2D(start.x, beside(start.y, -1))}) {
+      start = moved;
+      if (has_room(world, people, i, before)) return people;
+    }
+    start = before;
+  }
+  return people;
 }
 
 }  // namespace
@@ -57,13 +94,7 @@ Arrivals PeopleAlone::arrivals(double until) {
 }
 
 Arrivals PeopleAlone::arrivals_beside(double until) {
-  constexpr double kShift = 1e-12;  // m
-  if (!beside_) {
-    People people = world_.scenario().people();
-    double& x = people[0].start.x;
-    x = std::max(x + kShift, std::nextafter(x, std::numeric_limits<double>::infinity()));
-    beside_.emplace(world_, people, settings_);
-  }
+  if (!beside_) beside_.emplace(world_, shifted(world_), settings_);
   for (; beside_->time() <= until; beside_->move()) beside_->decide();
   return arrivals_in(*beside_, until);
 }

@@ -56,6 +56,26 @@ TEST(RunAlone, LetsPeopleAppearWhenTheirPlaceIsFree) {
   EXPECT_TRUE(movers[1].present(0.45));
 }
 
+/// Whoever is moved into a neighbor could not start.
+TEST(PeopleAlone, ArriveAsWellBesideTheirStartsWhenTheyStartInContact) {
+  const World empty = empty_world(5);
+  const double gap = 2 * kRadius;
+  const std::vector<People> contacts = {
+      {walker(0, {0, 0}, {{-4, 0}}), walker(1, {gap, 0}, {{4, 0}})},
+      // In the middle of a cross.
+      {walker(0, {0, 0}, {{0, 0}}), walker(1, {gap, 0}, {{4, 0}}), walker(2, {-gap, 0}, {{-4, 0}}),
+       walker(3, {0, gap}, {{0, 4}}), walker(4, {0, -gap}, {{0, -4}})}};
+  for (const People& people : contacts) {
+    const World world(empty.scenario().with_people(people), 0.5);
+    PeopleAlone alone(world, {});
+    const Arrivals arrivals = alone.arrivals(10), beside = alone.arrivals_beside(10);
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      ASSERT_TRUE(arrivals[i] && beside[i]) << i;
+      EXPECT_NEAR(*beside[i], *arrivals[i], 0.1 + 1e-9) << i << ": at most an update";
+    }
+  }
+}
+
 TEST(PeopleAlone, CoverWhatTheCrowdCovers) {
   RandomEngine random(5);
   const World empty = empty_world(5);

@@ -48,7 +48,7 @@ class PeopleAlone {
   const std::vector<double>& covered(int updates);
   /// s, the arrival of each person up to this time (s).
   Arrivals arrivals(double until);
-  /// The same of a crowd whose first person starts 1e-12 m beside its start.
+  /// The same of a crowd whose first person with room starts 1e-12 m beside its start.
   Arrivals arrivals_beside(double until);
 
  private:
