@@ -52,6 +52,12 @@ bool is_off(const RosContext& c, const std::string& key) {
   return p != nullptr && !truth_of(*p);
 }
 
+/// Nav2's default is false.
+bool is_look_ahead_scaled(const RosContext& c) {
+  const RosParameter* p = c.find("use_velocity_scaled_lookahead_dist");
+  return p != nullptr && truth_of(*p);
+}
+
 std::string truth_text(bool value) {
   return value ? "true" : "false";
 }
@@ -129,33 +135,40 @@ bool same_value(const std::string& a, const std::string& b) {
 
 Result inverse(RosConversion conversion, const RosParameter& p, const RosContext& c,
                const std::string& value) {
-  std::vector<std::string> texts = {value};
-  if (double number = 0; parse_number(value, number)) {
-    texts[0] = format_number(number);
-    for (const double other : {2 * number, number + c.inscribed_radius})
-      texts.push_back(fmt::format("{:.12g}", other));
-  }
   std::vector<RosParameter> siblings;
   for (const RosParameter& one : c.siblings)
     if (one.where != p.where) siblings.push_back(one);
-  for (const std::string& text : texts) {
-    RosParameter changed = p;
-    changed.text = text;
-    changed.items.reset();
-    siblings.push_back(changed);
+  siblings.push_back(p);
+  siblings.back().items.reset();
+  const RosContext context{siblings, c.control_period, c.inscribed_radius, c.costmap_resolution,
+                           c.noise_hold};
+  const auto convert = [&](const std::string& text) -> Result {
+    siblings.back().text = text;
     try {
-      const Result back = conversion(changed, {siblings, c.control_period, c.inscribed_radius});
-      if (back && same_value(*back, value)) return text;
+      return conversion(siblings.back(), context);
     } catch (const Error&) {
-      // No value of this parameter.
+      return std::nullopt;  // no value of this parameter
     }
-    siblings.pop_back();
+  };
+  std::vector<std::string> texts = {value};
+  if (double number = 0; parse_number(value, number)) {
+    texts = {format_number(number), fmt::format("{:.12g}", number + c.inscribed_radius)};
+    double image = 0;
+    if (parse_number(convert(texts[0]).value_or(""), image) && image != 0)
+      texts.push_back(fmt::format("{:.12g}", number * number / image));
   }
+  for (const std::string& text : texts)
+    if (const Result back = convert(text); back && same_value(*back, value)) return text;
   return std::nullopt;
 }
 
 Result flag(const RosParameter& p, const RosContext&) {
   return truth_text(truth_of(p));
+}
+
+/// nav2, ObstacleFootprintCritic::getScale() and MapGridCritic::getScale(): distances count in m.
+Result obstacle_scale(const RosParameter& p, const RosContext& c) {
+  return format_number(c.costmap_resolution * value_of(p));
 }
 
 Result largest(const RosParameter& p, const RosContext& c) {
@@ -235,13 +248,19 @@ Result rotation_angle(const RosParameter& p, const RosContext& c) {
 }
 
 Result scaled_look_ahead(const RosParameter& p, const RosContext& c) {
-  const RosParameter* fixed = c.find("lookahead_dist");
-  const bool is_fixed = fixed != nullptr && is_off(c, "use_velocity_scaled_lookahead_dist");
-  return number(is_fixed ? *fixed : p, c);
+  if (is_look_ahead_scaled(c)) return number(p, c);
+  return c.find("lookahead_dist") != nullptr ? std::nullopt : Result("0.6");
 }
 
 Result fixed_look_ahead(const RosParameter& p, const RosContext& c) {
-  return is_off(c, "use_velocity_scaled_lookahead_dist") ? number(p, c) : std::nullopt;
+  return is_look_ahead_scaled(c) ? std::nullopt : number(p, c);
+}
+
+/// A sample that is held spreads rollouts as independent ones of each `model_dt` do: variances of
+/// a distance grow by (std * duration of a sample)^2 per sample.
+Result mppi_noise(const RosParameter& p, const RosContext& c) {
+  const double held = c.noise_hold * c.control_period;
+  return format_number(value_of(p) * std::sqrt(sibling_number(c, "model_dt", 0.05) / held));
 }
 
 Result mppi_steps(const RosParameter&, const RosContext& c) {

@@ -13,6 +13,7 @@ Result half(const RosParameter& p, const RosContext& c);
 Result absolute(const RosParameter& p, const RosContext& c);
 Result whole(const RosParameter& p, const RosContext& c);
 Result flag(const RosParameter& p, const RosContext& c);
+Result obstacle_scale(const RosParameter& p, const RosContext& c);
 Result largest(const RosParameter& p, const RosContext& c);  ///< of the parameters of this name
 Result less_radius(const RosParameter& p, const RosContext& c);
 Result radius(const RosParameter& p, const RosContext& c);
@@ -33,6 +34,7 @@ Result proximity_distance(const RosParameter& p, const RosContext& c);
 Result rotation_angle(const RosParameter& p, const RosContext& c);
 Result scaled_look_ahead(const RosParameter& p, const RosContext& c);
 Result fixed_look_ahead(const RosParameter& p, const RosContext& c);
+Result mppi_noise(const RosParameter& p, const RosContext& c);
 
 Result mppi_steps(const RosParameter& p, const RosContext& c);
 Result mppi_control_cost(const RosParameter& p, const RosContext& c);
@@ -44,7 +46,7 @@ Result path_per_goal_weight(const RosParameter& p, const RosContext& c);
 bool same_value(const std::string& a, const std::string& b);
 
 /// The value of a parameter, in the place of `p`, that is converted to `value`; none if there is
-/// none, or none that is the value itself, its double or, of a distance, with the radius added.
+/// none, or none that is the value itself, a multiple or, of a distance, with the radius added.
 Result inverse(RosConversion conversion, const RosParameter& p, const RosContext& c,
                const std::string& value);
 

@@ -10,7 +10,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace slalom::ros {
 namespace {
@@ -26,7 +26,7 @@ std::vector<std::string> names_of(std::string key) {
   return split_nonempty(key, '.');
 }
 
-/// Reads the values of a file in its order.
+/// Reads the values of a file in its order; of a key that is given twice the last one, as ROS.
 class YamlFlattener {
  public:
   YamlFlattener(std::string path, std::vector<RosParameter>& parameters)
@@ -81,9 +81,14 @@ class YamlFlattener {
       parameter.items.emplace();
       read_items(node, *parameter.items, 0);
     }
-    if (!keys_.insert(key).second)
-      throw usage_error(parameter.where, "is given twice", "one value");
-    parameters_.push_back(std::move(parameter));
+    const auto [known, is_new] = keys_.insert({key, parameters_.size()});
+    if (is_new) {
+      parameters_.push_back(std::move(parameter));
+    } else {
+      RosParameter& replaced = parameters_[known->second];
+      parameter.replaced_line = replaced.line;
+      replaced = std::move(parameter);
+    }
   }
 
   void read_items(const YAML::Node& sequence, std::vector<std::string>& items, int depth) {
@@ -98,7 +103,7 @@ class YamlFlattener {
 
   std::string path_;
   std::vector<RosParameter>& parameters_;
-  std::set<std::string> keys_;
+  std::map<std::string, std::size_t> keys_;  ///< indices of parameters
   std::size_t values_ = 0;
 };
 

@@ -75,8 +75,40 @@ std::optional<RosFamily> family_of(const std::string& kind) {
 struct Part {
   RosFamily family;
   std::string name;  ///< precedes the keys in reports
-  std::vector<RosParameter> parameters;
+  std::vector<RosParameter> parameters, unused = {};
+  std::string why_unused = {};
 };
+
+std::vector<std::string> words_of(const RosParameter& list) {
+  return list.items ? *list.items : split_nonempty(list.text, ' ');
+}
+
+/// Whether the section `name` of `parent` is enabled and, if that lists its sections, listed.
+bool is_in_use(const std::vector<RosParameter>& parameters, const std::string& parent,
+               const std::string& name) {
+  bool has_list = false, is_listed = false;
+  for (const RosParameter& p : parameters) {
+    if (p.key == parent + name + ".enabled" && contains({"false", "no", "off"}, lower_case(p.text)))
+      return false;
+    for (const std::string list : {"critics", "plugins", "filters", "observation_sources"}) {
+      if (p.key != parent + list) continue;
+      const std::vector<std::string> words = words_of(p);
+      // move_base has lists of maps, whose items are "".
+      is_listed = is_listed || contains(words, name) || contains(words, "");
+      const bool lists_sources = list == "observation_sources";
+      has_list = has_list || (list != "filters" && !(lists_sources && ends_with(name, "layer")));
+    }
+  }
+  return is_listed || !has_list;
+}
+
+/// Whether all sections of a key are in use: critics, layers, sources.
+bool is_used(const std::vector<RosParameter>& parameters, const std::string& key) {
+  for (std::size_t begin = 0, dot = key.find('.'); dot != std::string::npos;
+       begin = dot + 1, dot = key.find('.', begin))
+    if (!is_in_use(parameters, key.substr(0, begin), key.substr(begin, dot - begin))) return false;
+  return true;
+}
 
 /// Resolves one section.
 class SectionResolver {
@@ -112,11 +144,13 @@ class SectionResolver {
     Part part{family, to_string(family), files.of_node(family)};
     const auto is_of_controller = [&](const RosParameter& parameter) {
       const std::vector<std::string> names = split(parameter.key, '.');
-      return names.size() > 1 && contains(controllers_, names.front());
+      return names.size() > 1 &&
+             (contains(controllers_, names.front()) || ends_with(names.front(), "_costmap"));
     };
     part.parameters.erase(
         std::remove_if(part.parameters.begin(), part.parameters.end(), is_of_controller),
         part.parameters.end());
+    if (family == RosFamily::LocalCostmap) set_aside(part, "its layer or source is not in use");
     parts_.push_back(std::move(part));
   }
 
@@ -148,6 +182,7 @@ class SectionResolver {
     if (!family) return;
     kind_ = is_method() ? method_of(*family) : section_;
     parts_.push_back({*family, controller->name, std::move(parameters)});
+    if (family == RosFamily::Dwb) set_aside(parts_.back(), "critics does not list it");
   }
 
   void require_method(const Controller& controller, const std::optional<RosFamily>& family) const {
@@ -177,10 +212,51 @@ class SectionResolver {
     control_period_ = read_options<SimulationOptions>(ini_, "simulation").control_period;
     radius_ = section_ == "robot" ? 0 : read_robot_model(ini_).shape().inscribed_radius();
     for (const std::string& key : ini_.keys(section_)) given_.insert(key);
-    for (const Part& part : parts_)
-      for (const RosParameter& parameter : part.parameters)
-        convert(part, parameter, {part.parameters, control_period_, radius_});
+    if (kind_ == "mppi") parse_number(ini_.get(section_, "hold").value_or(""), noise_hold_);
+    for (const Part& part : parts_) {
+      for (const RosParameter& parameter : part.parameters) {
+        convert(part, parameter, context_of(part));
+        note_repetition(parameter);
+      }
+      for (const RosParameter& parameter : part.unused) {
+        if (is_method() && rows_of(part, parameter).empty())
+          report_.unknown.push_back(parameter.where);
+        else if (has_target(part, parameter) || is_method())
+          report_.without_counterpart.push_back({part.name + "." + parameter.key, part.why_unused});
+      }
+    }
     list_not_in_file();
+  }
+
+  RosContext context_of(const Part& part) const {
+    RosContext context{part.parameters, control_period_, radius_};
+    context.noise_hold = noise_hold_;
+    for (const Part& other : parts_)
+      if (other.family == RosFamily::LocalCostmap)
+        for (const RosParameter& p : other.parameters)
+          if (p.key == "resolution") parse_number(p.text, context.costmap_resolution);
+    return context;
+  }
+
+  void note_repetition(const RosParameter& parameter) {
+    if (!parameter.replaced_line) return;
+    report_.repeated.push_back(parameter.where + ", which replaces line " +
+                               std::to_string(*parameter.replaced_line + 1));
+  }
+
+  /// Moves the parameters of what the files define and do not use.
+  static void set_aside(Part& part, const char* reason) {
+    part.why_unused = reason;
+    const std::vector<RosParameter> all = std::move(part.parameters);
+    part.parameters.clear();
+    for (const RosParameter& parameter : all)
+      (is_used(all, parameter.key) ? part.parameters : part.unused).push_back(parameter);
+  }
+
+  bool has_target(const Part& part, const RosParameter& parameter) const {
+    const auto rows = rows_of(part, parameter);
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const RosMapping* row) { return row->section == kind_; });
   }
 
   std::vector<const RosMapping*> rows_of(const Part& part, const RosParameter& parameter) const {
@@ -248,9 +324,8 @@ class SectionResolver {
       if (row.family != part.family || row.section != kind_ || row.target != key) continue;
       RosParameter parameter;
       parameter.key = row.key;
-      const auto text =
-          ros::inverse(row.convert, parameter, {part.parameters, control_period_, radius_},
-                       ini_.get(section_, key).value_or(""));
+      const auto text = ros::inverse(row.convert, parameter, context_of(part),
+                                     ini_.get(section_, key).value_or(""));
       if (text && !starts_with(row.key, "*")) return part.name + "." + row.key + ": " + *text;
     }
     return "";
@@ -288,8 +363,9 @@ class SectionResolver {
   bool is_shim_ = false;
   std::vector<std::string> controllers_;  // of the files
   std::vector<Part> parts_;
-  std::set<std::string> given_, set_, found_;  // keys of the .ini: its own, new, in the files
-  double control_period_ = 0, radius_ = 0;     // s, m: of the campaign
+  std::set<std::string> given_, set_, found_;      // keys of the .ini: its own, new, in the files
+  double control_period_ = 0, radius_ = 0;         // s, m: of the campaign
+  double noise_hold_ = RosContext{{}}.noise_hold;  // control periods
   RosParameterReport report_;
 };
 
@@ -336,6 +412,7 @@ std::string RosParameterReport::summary() const {
   if (!overridden.empty()) text += ", " + std::to_string(overridden.size()) + " overridden";
   if (!without_counterpart.empty())
     text += ", " + std::to_string(without_counterpart.size()) + " without counterpart";
+  if (!repeated.empty()) text += "; given twice: " + join(repeated, ", ");
   if (unknown.empty()) return printable_line(text);
   constexpr std::size_t kShown = 3;
   const std::vector<std::string> shown(unknown.begin(),
@@ -349,6 +426,8 @@ std::string RosParameterReport::listing() const {
   std::string text = printable_line("[" + section + "] from " + source) + "\n";
   text += lines_of("mapped", mapped) + lines_of("overridden", overridden) +
           lines_of("without counterpart", without_counterpart);
+  if (!repeated.empty()) text += "given twice\n";
+  for (const std::string& where : repeated) text += "  " + printable_line(where) + "\n";
   if (!unknown.empty()) text += "unknown\n";
   for (const std::string& where : unknown) text += "  " + printable_line(where) + "\n";
   return text;

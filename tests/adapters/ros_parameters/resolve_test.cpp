@@ -110,8 +110,8 @@ TEST_F(RosParameters, MppiTakesItsHorizonInControlPeriodsAndItsControlCostPerTem
   const IniFile ini = resolve(method);
   EXPECT_EQ(value(ini, "method.m", "steps"), "40");  // 40 * 0.1 s / 0.1 s
   EXPECT_EQ(value(ini, "method.m", "samples"), "500");
-  EXPECT_EQ(value(ini, "method.m", "noise_v"), "0.15");
-  EXPECT_EQ(value(ini, "method.m", "noise_w"), "0.5");
+  EXPECT_EQ(value(ini, "method.m", "noise_v"), "0.075");  // 0.15 * sqrt(0.1 s / 0.4 s)
+  EXPECT_EQ(value(ini, "method.m", "noise_w"), "0.25");
   EXPECT_NEAR(std::stod(value(ini, "method.m", "control_cost")), 0.02 / 0.2, 1e-12);
   EXPECT_NEAR(std::stod(value(ini, "method.m", "comfort")), 0.6 - 0.25, 1e-12);
   EXPECT_EQ(value(resolve(method + "[simulation]\ncontrol_period = 0.05\n"), "method.m", "steps"),
@@ -179,7 +179,8 @@ TEST_F(RosParameters, RegulatedPurePursuitIsRegulatedOnlyWhereItsFlagsSaySo) {
       "      regulated_linear_scaling_min_radius: 0.8\n      cost_scaling_dist: 0.55\n"
       "      max_allowed_time_to_collision_up_to_carrot: 2\n      rotate_to_heading_min_angle: "
       "0.6\n";
-  const IniFile on = resolve_controller(kRpp, lines, "[robot]\nradius = 0.25\n");
+  const IniFile on = resolve_controller(
+      kRpp, lines + "      use_velocity_scaled_lookahead_dist: true\n", "[robot]\nradius = 0.25\n");
   EXPECT_EQ(value(on, "method.m", "min_lookahead_dist"), "0.2");
   EXPECT_EQ(value(on, "method.m", "max_lookahead_dist"), "1.1");
   EXPECT_EQ(value(on, "method.m", "regulated_linear_scaling_min_radius"), "0.8");
@@ -188,7 +189,7 @@ TEST_F(RosParameters, RegulatedPurePursuitIsRegulatedOnlyWhereItsFlagsSaySo) {
   const IniFile off = resolve_controller(
       kRpp,
       lines +
-          "      use_velocity_scaled_lookahead_dist: false\n      use_collision_detection: False\n"
+          "      use_velocity_scaled_lookahead_dist: no\n      use_collision_detection: False\n"
           "      use_regulated_linear_velocity_scaling: no\n"
           "      use_cost_regulated_linear_velocity_scaling: off\n"
           "      use_rotate_to_heading: false\n");
@@ -274,10 +275,99 @@ TEST_F(RosParameters, ValuesOfOtherKindsAreNamedWithWhatIsExpected) {
   EXPECT_TRUE(refuses("max_vel_x: $(var speed)", {"'$(var speed)'", "substitution"}));
 }
 
-TEST_F(RosParameters, AKeyThatIsGivenTwiceIsRefused) {
-  EXPECT_TRUE(
-      throws_error(ErrorKind::Usage, folder_ + "/nav.yaml:6: ", {"max_vel_x", "twice"},
-                   [&] { resolve_controller(kDwb, "      max_vel_x: 1\n      max_vel_x: 2\n"); }));
+/// As rcl_yaml_param_parser and rosparam: a later value overwrites an earlier one.
+TEST_F(RosParameters, TheLastValueOfAKeyThatIsGivenTwiceCountsWithANoteOfBothLines) {
+  const IniFile ini = resolve_controller(
+      "my::Shim", "      max_vel_x: 1\n      plugin: " + kDwb + "\n      max_vel_x: 2\n");
+  EXPECT_EQ(value(ini, "method.m", "max_vel_x"), "2");
+  EXPECT_EQ(value(ini, "method.m", "plugin"), "libslalom_dwa_local_planner.so");
+  const std::string file = folder_ + "/nav.yaml:", name = ": controller_server.FollowPath.";
+  EXPECT_EQ(reports_[0].repeated,
+            (std::vector<std::string>{file + "6" + name + "plugin, which replaces line 4",
+                                      file + "7" + name + "max_vel_x, which replaces line 5"}));
+  for (const std::string& text : {reports_[0].summary(), reports_[0].listing()})
+    EXPECT_TRUE(mentions(text, {"given twice", "replaces line 4", "replaces line 5"}));
+}
+
+/// ObstacleFootprintCritic::getScale() of dwb_critics: resolution * scale; BaseObstacleCritic has
+/// the scale itself.
+TEST_F(RosParameters, TheScaleOfObstacleFootprintIsPerCell) {
+  const auto resolved = [&](const std::string& critic, const std::string& costmap) {
+    write("a.yaml", "A: {plugin: \"" + kDwb + "\", " + critic + ".scale: 0.02}\nlocal_costmap: {" +
+                        costmap + "}\n");
+    return value(resolve("[method.m]\nfrom = a.yaml\n"), "method.m", "occdist_scale");
+  };
+  EXPECT_EQ(std::stod(resolved("ObstacleFootprint", "resolution: 0.05")), 0.05 * 0.02);
+  EXPECT_EQ(std::stod(resolved("ObstacleFootprint", "width: 3")), 0.1 * 0.02) << "Nav2's default";
+  EXPECT_EQ(resolved("BaseObstacle", "resolution: 0.05"), "0.02");
+}
+
+TEST_F(RosParameters, CriticsThatAreNotListedHaveNoEffect) {
+  const IniFile ini =
+      resolve_controller(kDwb,
+                         "      critics: [PathDist, BaseObstacle]\n      PathDist.scale: 32\n"
+                         "      GoalDist.scale: 24\n      ObstacleFootprint.scale: 0.5\n"
+                         "      BaseObstacle.scale: 0.02\n");
+  EXPECT_EQ(value(ini, "method.m", "path_distance_bias"), "16");
+  EXPECT_EQ(value(ini, "method.m", "occdist_scale"), "0.02");
+  EXPECT_FALSE(ini.get("method.m", "goal_distance_bias"));
+  EXPECT_TRUE(mentions(reports_[0].listing(), {"FollowPath.GoalDist.scale: critics does not list",
+                                               "FollowPath.ObstacleFootprint.scale: critics"}));
+}
+
+/// Its parameter use_velocity_scaled_lookahead_dist is false and lookahead_dist 0.6 by default.
+TEST_F(RosParameters, TheLookAheadOfRegulatedPurePursuitIsFixedUnlessItIsScaled) {
+  const std::string limits = "      min_lookahead_dist: 0.2\n      max_lookahead_dist: 1.1\n";
+  const std::string fixed = "      lookahead_dist: 0.7\n";
+  const auto look_ahead = [&](const std::string& lines) {
+    const IniFile ini = resolve_controller(kRpp, lines);
+    return value(ini, "method.m", "min_lookahead_dist") + " " +
+           value(ini, "method.m", "max_lookahead_dist");
+  };
+  EXPECT_EQ(look_ahead(fixed), "0.7 0.7");
+  EXPECT_EQ(look_ahead(limits + fixed), "0.7 0.7");
+  EXPECT_EQ(look_ahead(limits), "0.6 0.6");
+  EXPECT_EQ(look_ahead(limits + fixed + "      use_velocity_scaled_lookahead_dist: true\n"),
+            "0.2 1.1");
+}
+
+/// The variance of a distance after `T` is T * duration of a sample * std^2.
+TEST_F(RosParameters, NoiseOfMppiSpreadsRolloutsAsInNav2) {
+  const std::string lines = "      model_dt: 0.05\n      vx_std: 0.2\n      wz_std: 0.4\n";
+  const IniFile ini =
+      resolve_controller(kMppi, lines, "hold = 2\n[simulation]\ncontrol_period = 0.2\n");
+  const double v = std::stod(value(ini, "method.m", "noise_v"));
+  const double w = std::stod(value(ini, "method.m", "noise_w"));
+  EXPECT_NEAR(2 * 0.2 * v * v, 0.05 * 0.2 * 0.2, 1e-12);
+  EXPECT_NEAR(2 * 0.2 * w * w, 0.05 * 0.4 * 0.4, 1e-12);
+}
+
+TEST_F(RosParameters, LayersAndSourcesThatAreNotInUseDoNotSetTheRangeOfTheSensor) {
+  const std::string scan = "scan: {obstacle_max_range: 2.5}, ";
+  const auto range = [&](const std::string& costmap) {
+    write("nav.yaml", "local_costmap: {" + costmap + "}\n");
+    return value(resolve("[sensor]\nfrom = nav.yaml\n"), "sensor", "max_range");
+  };
+  const std::string depth = "depth: {obstacle_max_range: 4}";
+  EXPECT_EQ(range("a_layer: {" + scan + depth + "}"), "4");
+  EXPECT_EQ(range("a_layer: {observation_sources: scan, " + scan + depth + "}"), "2.5");
+  EXPECT_EQ(range("a_layer: {observation_sources: scan depth, " + scan + depth + "}"), "4");
+  EXPECT_EQ(range("a_layer: {" + scan + "}, b_layer: {enabled: False, " + depth + "}"), "2.5");
+  EXPECT_EQ(range("plugins: [a_layer], a_layer: {" + scan + "}, b_layer: {" + depth + "}"), "2.5");
+  EXPECT_EQ(range("plugins: [{name: a_layer}], a_layer: {" + scan + "}, b_layer: {" + depth + "}"),
+            "4")
+      << "ROS 1";
+  EXPECT_EQ(range("observation_sources: scan, " + scan + depth), "2.5");
+}
+
+TEST_F(RosParameters, ParametersOfACostmapInMoveBaseAreListedOnce) {
+  write("dump.yaml",
+        "move_base:\n  DWAPlannerROS: {max_vel_x: 0.2}\n  local_costmap: {inflation_radius: 1}\n"
+        "  global_costmap: {inflation_radius: 2}\n  controller_patience: 4\n");
+  const IniFile ini = resolve("[method.m]\nfrom = dump.yaml\n");
+  EXPECT_EQ(value(ini, "method.m", "inflation_radius"), "1");
+  EXPECT_EQ(value(ini, "method.m", "controller_patience"), "4");
+  EXPECT_TRUE(reports_[0].unknown.empty()) << reports_[0].listing();
 }
 
 TEST_F(RosParameters, FootprintsAreChecked) {

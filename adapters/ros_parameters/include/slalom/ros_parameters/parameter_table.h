@@ -45,7 +45,8 @@ struct RosParameter {
   std::optional<std::vector<std::string>> items;  ///< of a list, flattened
   std::string where;                              ///< "FILE:LINE: SECTION.KEY", for messages
   std::string file;
-  int line = 0, column = 0;  ///< of the value, from 0
+  int line = 0, column = 0;               ///< of the value, from 0
+  std::optional<int> replaced_line = {};  ///< from 0, of an earlier value of the same file
 };
 
 /// The input of a conversion besides the value itself.
@@ -53,6 +54,8 @@ struct RosContext {
   const std::vector<RosParameter>& siblings;  ///< of the same section
   double control_period = 0.1;                ///< s, of the campaign
   double inscribed_radius = 0.25;             ///< m, of the campaign's robot
+  double costmap_resolution = 0.1;            ///< m, of the local costmap; the default is Nav2's
+  double noise_hold = 4;                      ///< key `hold` of the method mppi
 
   const RosParameter* find(const std::string& key) const;  ///< null if it is not given
 };

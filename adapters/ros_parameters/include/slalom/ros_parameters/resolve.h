@@ -35,6 +35,7 @@ struct RosParameterReport {
   std::vector<std::string> not_in_file;  ///< "FollowPath.sim_time: 2", of keys of the .ini
   std::vector<std::string> no_way_back;  ///< keys of the .ini that no parameter gives exactly
   std::vector<std::string> unknown;      ///< "FILE:LINE: SECTION.KEY"
+  std::vector<std::string> repeated;     ///< the same, of values that replace one in another line
 
   std::string summary() const;  ///< one line
   std::string listing() const;  ///< all lines
