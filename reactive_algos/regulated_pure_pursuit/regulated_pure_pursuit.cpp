@@ -81,16 +81,17 @@ double curvature_to(const Point& carrot) {
   return squared > 0 ? 2 * carrot.y / squared : 0;
 }
 
-double regulated_speed(const Parameters& parameters, double curvature, double clearance,
-                       double goal_distance) {
+double regulated_speed(const Parameters& parameters, double inscribed_radius, double curvature,
+                       double clearance, double goal_distance) {
   const double desired = parameters.desired_linear_vel;
   double speed = desired;
   const double min_radius = parameters.regulated_linear_scaling_min_radius;
   if (std::abs(curvature) * min_radius > 1)
     speed = std::min(speed, desired / (std::abs(curvature) * min_radius));
   if (clearance < parameters.cost_scaling_dist)
-    speed = std::min(
-        speed, desired * parameters.cost_scaling_gain * clearance / parameters.cost_scaling_dist);
+    speed =
+        std::min(speed, desired * parameters.cost_scaling_gain * (clearance + inscribed_radius) /
+                            (parameters.cost_scaling_dist + inscribed_radius));
   speed = std::max(speed, std::min(desired, parameters.regulated_linear_scaling_min_speed));
   if (goal_distance >= parameters.approach_velocity_scaling_dist) return speed;
   const double approach = speed * goal_distance / parameters.approach_velocity_scaling_dist;
@@ -162,7 +163,7 @@ Twist RegulatedPurePursuit::step(const Observation& observation) {
   if (turns) return clamp_to_limits(rotation, robot_);
   const double curvature = curvature_to(carrot);
   const double clearance = footprint_clearance(map, observation.pose, robot_) - robot_.radius;
-  double v = regulated_speed(parameters_, curvature, clearance,
+  double v = regulated_speed(parameters_, inscribed_radius(robot_), curvature, clearance,
                              slalom::math::hypot(observation.goal.x, observation.goal.y));
   // A robot that cannot turn faster would leave the arc.
   if (std::abs(v * curvature) > robot_.max_w) v = robot_.max_w / std::abs(curvature);

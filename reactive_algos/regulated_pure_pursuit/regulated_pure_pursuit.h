@@ -43,9 +43,10 @@ double curvature_to(const reactive::Point& carrot);
 
 /// The speed (m/s) on an arc of `curvature` at `clearance` m from obstacles: the smaller one of the
 /// curvature heuristic and the proximity heuristic of section 3 of the paper, then slower near the
-/// goal, `goal_distance` m ahead.
-double regulated_speed(const Parameters& parameters, double curvature, double clearance,
-                       double goal_distance);
+/// goal, `goal_distance` m ahead. Proximity is that of the center, as nav2 has it:
+/// `inscribed_radius` (m) is added to both the clearance and cost_scaling_dist.
+double regulated_speed(const Parameters& parameters, double inscribed_radius, double curvature,
+                       double clearance, double goal_distance);
 
 class RegulatedPurePursuit {
  public:

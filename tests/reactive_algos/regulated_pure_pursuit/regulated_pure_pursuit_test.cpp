@@ -43,31 +43,46 @@ TEST(Curvature, IsThatOfTheArcThroughTheCarrot) {
     EXPECT_NEAR(curvature_to({2 * std::sin(angle), 2 * (1 - std::cos(angle))}), 0.5, 1e-9);
 }
 
+constexpr double kInscribed = 0.2;  // m
+
 TEST(RegulatedSpeed, FallsWithTheRadiusOfTheTurn) {
   const Parameters p;
-  EXPECT_EQ(regulated_speed(p, 0, 5, 5), 1);
-  EXPECT_EQ(regulated_speed(p, 1 / 0.9, 5, 5), 1);
-  EXPECT_NEAR(regulated_speed(p, -1 / 0.45, 5, 5), 0.5, 1e-12);
-  EXPECT_EQ(regulated_speed(p, 100, 5, 5), 0.25) << "not below the minimum";
+  EXPECT_EQ(regulated_speed(p, kInscribed, 0, 5, 5), 1);
+  EXPECT_EQ(regulated_speed(p, kInscribed, 1 / 0.9, 5, 5), 1);
+  EXPECT_NEAR(regulated_speed(p, kInscribed, -1 / 0.45, 5, 5), 0.5, 1e-12);
+  EXPECT_EQ(regulated_speed(p, kInscribed, 100, 5, 5), 0.25) << "not below the minimum";
 }
 
 TEST(RegulatedSpeed, FallsWithTheClearance) {
   const Parameters p;
-  EXPECT_EQ(regulated_speed(p, 0, 0.6, 5), 1);
-  EXPECT_NEAR(regulated_speed(p, 0, 0.3, 5), 0.5, 1e-12);
-  EXPECT_EQ(regulated_speed(p, 0, 0.01, 5), 0.25) << "not below the minimum";
-  // The slower one of both heuristics counts: 0.5 of the radius, 2/3 of the clearance.
-  EXPECT_NEAR(regulated_speed(p, 1 / 0.45, 0.4, 5), 0.5, 1e-12);
+  EXPECT_EQ(regulated_speed(p, kInscribed, 0, 0.6, 5), 1);
+  // Of the center, 0.2 m more: 0.5 of 0.8 m.
+  EXPECT_NEAR(regulated_speed(p, kInscribed, 0, 0.3, 5), 0.5 / 0.8, 1e-12);
+  EXPECT_NEAR(regulated_speed(p, kInscribed, 0, 0, 5), 0.2 / 0.8, 1e-12);
+  EXPECT_EQ(regulated_speed(p, 0.01, 0, 0.01, 5), 0.25) << "not below the minimum";
+  // The slower one of both heuristics counts: 0.5 of the radius, 3/4 of the distance.
+  EXPECT_NEAR(regulated_speed(p, kInscribed, 1 / 0.45, 0.4, 5), 0.5, 1e-12);
+}
+
+/// costConstraint() of nav2's regulation_functions.hpp: gain * distance of the center /
+/// cost_scaling_dist, here 0.6 m with an inscribed radius of 0.22 m.
+TEST(RegulatedSpeed, IsThatOfNav2AtTheSameDistanceOfTheCenter) {
+  Parameters p;
+  p.cost_scaling_dist = 0.6 - 0.22;
+  EXPECT_NEAR(regulated_speed(p, 0.22, 0, 0.14, 5), 0.36 / 0.6, 1e-12);
+  EXPECT_NEAR(regulated_speed(p, 0.22, 0, 0, 5), 0.22 / 0.6, 1e-12);
+  EXPECT_EQ(regulated_speed(p, 0.22, 0, 0.38, 5), 1);
 }
 
 TEST(RegulatedSpeed, FallsNearTheGoal) {
   const Parameters p;
-  EXPECT_EQ(regulated_speed(p, 0, 5, 0.6), 1);
-  EXPECT_NEAR(regulated_speed(p, 0, 5, 0.3), 0.5, 1e-12);
-  EXPECT_NEAR(regulated_speed(p, 0, 5, 0.01), 0.05, 1e-12);
+  EXPECT_EQ(regulated_speed(p, kInscribed, 0, 5, 0.6), 1);
+  EXPECT_NEAR(regulated_speed(p, kInscribed, 0, 5, 0.3), 0.5, 1e-12);
+  EXPECT_NEAR(regulated_speed(p, kInscribed, 0, 5, 0.01), 0.05, 1e-12);
   Parameters slow;
   slow.desired_linear_vel = 0.1;
-  EXPECT_NEAR(regulated_speed(slow, 100, 0, 5), 0.1, 1e-12) << "the minimum does not raise it";
+  EXPECT_NEAR(regulated_speed(slow, kInscribed, 100, 0, 5), 0.1, 1e-12)
+      << "the minimum does not raise it";
 }
 
 TEST(RegulatedPurePursuit, MovesStraightToAGoalInFreeSpace) {
@@ -115,7 +130,8 @@ TEST(RegulatedPurePursuit, StopsBeforeACollision) {
 
 TEST(RegulatedPurePursuit, IsSlowerBetweenWallsAndInTurns) {
   const std::vector<Wall> corridor = {{-6, 0.55, 8, 0.55}, {-6, -0.55, 8, -0.55}};
-  EXPECT_NEAR(decide(corridor, {5, 0}, {1, 0}).v, 0.5, 0.05) << "0.3 m from both walls";
+  // 0.3 m from both walls, with a radius of 0.25 m.
+  EXPECT_NEAR(decide(corridor, {5, 0}, {1, 0}).v, (0.3 + 0.25) / (0.6 + 0.25), 0.05);
   const double angle = 0.7;
   EXPECT_LT(decide({}, {5 * std::cos(angle), 5 * std::sin(angle)}, {0.4, 0}).v, 0.6);
 }
