@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace dwa_local_planner {
 
@@ -53,6 +54,10 @@ DwaLocalPlanner::DwaLocalPlanner(const Parameters& parameters, const Robot& robo
       recovery_(parameters_, robot, scorer_.footprint()) {}
 
 void DwaLocalPlanner::reset(const NavigationTask& task) {
+  const double own = parameters_.xy_goal_tolerance;
+  if (own > task.goal_tolerance)
+    throw std::invalid_argument("xy_goal_tolerance exceeds the tolerance of the task");
+  goal_tolerance_ = own > 0 ? own : 0.5 * task.goal_tolerance;
   task_ = task;
   memory_.clear();
   oscillation_.reset();
@@ -128,7 +133,7 @@ Twist DwaLocalPlanner::step(const Observation& observation) {
   const Pose& pose = observation.pose;
   memory_.update(pose, observation.ranges, robot_);
   local_map_.build({pose.x, pose.y}, memory_.points());
-  if (distance({pose.x, pose.y}, task_.goal) <= parameters_.xy_goal_tolerance) return {};
+  if (distance({pose.x, pose.y}, task_.goal) <= goal_tolerance_) return {};
   count_time(pose);
   if (const auto command = recovery_.step(local_map_, pose)) return *command;
   const double period = 1 / parameters_.planner_frequency;  // infinite for 0

@@ -42,6 +42,7 @@ class DwaLocalPlanner {
   Parameters parameters_;
   reactive::Robot robot_;  ///< with the range in which obstacles are marked
   reactive::NavigationTask task_;
+  double goal_tolerance_ = 0;  ///< m, at which it stops
   reactive::RollingMemory memory_;
   TrajectoryScorer scorer_;
   reactive::Costmap local_map_;

@@ -22,7 +22,7 @@ struct Parameters {
   double forward_point_distance = 0.325;
   double scaling_speed = 0.25, max_scaling_factor = 0.2;
   double oscillation_reset_dist = 0.05, oscillation_reset_angle = 0.2;
-  double xy_goal_tolerance = 0.1;
+  double xy_goal_tolerance = 0;  ///< 0: half that of the task
   // Costmaps
   reactive::PathMap map = reactive::PathMap::Sensed;
   double width = 6, resolution = 0.05;

@@ -51,7 +51,8 @@ void visit_costs(Parameters& p, OptionVisitor& v) {
            "after a reversal no other within this distance", Range::at_least(0));
   v.option("oscillation_reset_angle", p.oscillation_reset_angle, "rad", "... or this rotation",
            Range::at_least(0));
-  v.option("xy_goal_tolerance", p.xy_goal_tolerance, "m", "the robot stops this close to the goal",
+  v.option("xy_goal_tolerance", p.xy_goal_tolerance, "m",
+           "the robot stops this close to the goal; 0: half the tolerance of the task",
            Range::at_least(0));
   v.option("map", p.map, "known: the path is planned on the map of the environment");
   v.option("width", p.width, "m", "side length of the local costmap", Range::between(1, 50));

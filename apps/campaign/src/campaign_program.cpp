@@ -85,6 +85,21 @@ void check_analysis(const IniFile& ini, const AnalysisSection& section, Campaign
     require_one_of(id, options.descriptors, ini.where("analysis", "rows"));
 }
 
+/// Refuses a library that stops where no run succeeds.
+void check_goal_tolerances(const IniFile& ini, const CampaignConfig& config) {
+  const double tolerance = config.options.simulation.goal_tolerance;
+  for (const std::string& section : method_sections(ini, config.methods)) {
+    double own = 0;
+    const bool is_library = ini.get(section, "adapter") == "library";
+    if (is_library && parse_number(ini.get(section, "xy_goal_tolerance").value_or(""), own) &&
+        own > tolerance)
+      throw usage_error(ini.where(section, "xy_goal_tolerance"),
+                        format_number(own) + " is larger than [simulation] goal_tolerance " +
+                            format_number(tolerance),
+                        "at most that tolerance");
+  }
+}
+
 /// The recorders of [record], which write beside the result file: for runs.results to
 /// runs.rawlogs/HASH8_METHOD_REPETITION.rawlog and runs.bags/HASH8_METHOD_REPETITION.mcap.
 std::vector<RunRecorder> recorders_of(const CampaignConfig& config,
@@ -195,6 +210,7 @@ CampaignConfig read_campaign(const IniFile& ini) {
   config.analysis = read_options<AnalysisSection>(ini, "analysis");
   check_analysis(ini, config.analysis, config.options);
   config.methods = read_methods(ini, all_adapters());
+  check_goal_tolerances(ini, config);
   require_network(ini, config);
   config.one_worker = has_running_process(ini, config);
   config.method_files = files_of_methods(ini, method_sections(ini, config.methods));

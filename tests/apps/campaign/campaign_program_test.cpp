@@ -54,10 +54,28 @@ class CampaignProgram : public ::testing::Test {
     scenarios_of(wrong);
   }
 
+  /// Reads a campaign of a library with these keys.
+  void read_library(const std::string& keys) const {
+    auto of_library = arguments();
+    write_file_atomically(of_library.config,
+                          "[campaign]\nmethods = a\n[scenarios]\ngenerator = random\ncount = 1\n"
+                          "[simulation]\ngoal_tolerance = 0.05\n[method.a]\nadapter = library\n"
+                          "plugin = missing.so\n" +
+                              keys);
+    read_campaign(load_campaign_ini(of_library));
+  }
+
   const std::string folder_ = (std::filesystem::temp_directory_path() /
                                ("slalom_campaign_program_" + std::to_string(getpid())))
                                   .string();
 };
+
+TEST_F(CampaignProgram, RefusesAMethodThatStopsOutsideTheToleranceOfTheGoal) {
+  EXPECT_TRUE(
+      throws_error(ErrorKind::Usage, folder_ + "/campaign.ini:11: [method.a]",
+                   {"xy_goal_tolerance", "0.1 is larger than [simulation] goal_tolerance 0.05"},
+                   [&] { read_library("xy_goal_tolerance = 0.1\n"); }));
+}
 
 TEST_F(CampaignProgram, RejectsRowsOfAnUnknownDescriptorBeforeGeneration) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage,

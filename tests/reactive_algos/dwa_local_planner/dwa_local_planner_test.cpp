@@ -104,9 +104,10 @@ TEST(TrajectoryScorer, AddsTheHighestCostOfTheFootprint) {
 /// One control cycle after another, with exact motion.
 class Drive {
  public:
-  Drive(const Parameters& parameters, const Robot& robot, const Point& goal)
+  Drive(const Parameters& parameters, const Robot& robot, const Point& goal,
+        double goal_tolerance = 0.2)
       : method_(parameters, robot), goal_(goal) {
-    method_.reset({goal, 0.2, 0.1, 0});
+    method_.reset({goal, goal_tolerance, 0.1, 0});
   }
 
   Twist cycle(const std::vector<Wall>& walls) {
@@ -144,6 +145,19 @@ TEST(DwaLocalPlanner, DrivesStraightToAVisibleGoalAndStops) {
   EXPECT_NEAR(drive.pose.x, 3, 0.12);
   EXPECT_NEAR(drive.pose.y, 0, 0.1);
   EXPECT_EQ(drive.twist.v, 0) << "within xy_goal_tolerance";
+}
+
+TEST(DwaLocalPlanner, StopsWithinTheToleranceOfTheTask) {
+  for (const double tolerance : {0.05, 0.3}) {
+    Drive drive({}, jackal(), {3, 0}, tolerance);
+    for (int i = 0; i < 90; ++i) drive.cycle({});
+    EXPECT_NEAR(drive.pose.x, 3, tolerance);
+    EXPECT_EQ(drive.twist.v, 0);
+  }
+  Parameters parameters;
+  parameters.xy_goal_tolerance = 0.1;
+  EXPECT_NO_THROW(Drive(parameters, jackal(), {3, 0}, 0.1));
+  EXPECT_THROW(Drive(parameters, jackal(), {3, 0}, 0.05), std::invalid_argument);
 }
 
 TEST(DwaLocalPlanner, TurnsInPlaceTowardsAPathBehindIt) {
