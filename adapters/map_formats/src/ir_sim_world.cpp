@@ -102,6 +102,10 @@ class IrSimReader {
     return node && node.IsSequence() && node.size() > 0 && node[0].IsSequence();
   }
 
+  static bool is_true(const YAML::Node& node) {
+    return node && node.IsScalar() && lower_case(node.Scalar()) == "true";
+  }
+
   void read_robot(const YAML::Node& robot) {
     const YAML::Node state = robot["state"], goal = robot["goal"];
     const bool has_pair = state && goal && state.IsSequence() && goal.IsSequence();
@@ -130,6 +134,8 @@ class IrSimReader {
     const bool moves_itself =
         !name_in(group, "kinematics").empty() && (!moves.empty() || has_behaviors);
     if (moves_itself) return parts_.leave_out("obstacles with a behavior", shape);
+    // Neither its robots nor its lasers meet them.
+    if (is_true(group["unobstructed"])) return parts_.leave_out("unobstructed objects", shape);
     const YAML::Node state = group["state"];
     for (std::size_t i = 0; i < static_cast<std::size_t>(copies); ++i) {
       std::vector<double> pose(3, 0);
@@ -145,11 +151,13 @@ class IrSimReader {
 
   void add(const YAML::Node& shape, const Placement& pose) {
     const std::string kind = name_in(shape, "name");
-    const YAML::Node random = shape["random_shape"];
-    if (random && random.IsScalar() && lower_case(random.Scalar()) == "true")
-      return parts_.leave_out("shapes drawn at random", kind);
+    if (is_true(shape["random_shape"])) return parts_.leave_out("shapes drawn at random", kind);
     if (kind.empty() || kind == "circle") {
-      parts_.add_cylinder(pose, length_in(shape, "radius", 0.2), kHeight);
+      std::vector<double> center(2, 0);
+      if (const YAML::Node given = shape["center"]; given && !given.IsNull())
+        center = list(given, 2, 2, "center");
+      parts_.add_cylinder(pose + Placement(center[0], center[1], 0, 0, 0, 0),
+                          length_in(shape, "radius", 0.2), kHeight);
     } else if (kind == "rectangle") {
       parts_.add_box(pose, length_in(shape, "length", 0.2), length_in(shape, "width", 0.1),
                      kHeight);

@@ -477,6 +477,29 @@ TEST_F(IrSimWorld, HasRectanglesPolygonsAndLineStrings) {
   expect_corners(polygons[3], {{3.99, -0.01}, {4.01, -0.01}, {4.01, 1.01}, {3.99, 1.01}});
 }
 
+/// Point(center).buffer(radius) in the frame of the object, as CircleGeometry of ir-sim.
+TEST_F(IrSimWorld, HasCirclesAroundACenterInTheFrameOfTheirObject) {
+  const auto discs = imported(
+                         "obstacle:\n"
+                         "  - {shape: {name: circle, radius: 0.5, center: [2, 1]}, state: [5, 1, "
+                         "1.5707963267948966]}\n")
+                         .scenario.primitives()
+                         .discs;
+  ASSERT_EQ(discs.size(), 1U);
+  EXPECT_NEAR(discs[0].center.x, 5 - 1, 1e-12);
+  EXPECT_NEAR(discs[0].center.y, 1 + 2, 1e-12);
+}
+
+/// They neither stop a robot (stop_flag in object_base.py) nor are seen (lidar2d.py).
+TEST_F(IrSimWorld, HasNoObjectsThatAreUnobstructed) {
+  const ImportedWorld world = imported(
+      "obstacle:\n  - {shape: {name: circle}, state: [3, 1], unobstructed: True}\n"
+      "  - {shape: {name: circle}, state: [4, 1], unobstructed: false}\n");
+  ASSERT_EQ(world.scenario.primitives().discs.size(), 1U);
+  EXPECT_EQ(world.scenario.primitives().discs[0].center.x, 4);
+  EXPECT_TRUE(mentions(world.message, {"left out: unobstructed objects 'circle'"}));
+}
+
 TEST_F(IrSimWorld, HasNumberedObstaclesWithTheirShapes) {
   const auto discs = imported(
                          "obstacle:\n  - number: 3\n    distribution: {name: manual}\n"
