@@ -104,23 +104,50 @@ class PositionSearch {
   int evaluations_ = 0;
 };
 
-/// The length of the shortest curve of a car that drives forward only to a position in its frame,
-/// in any heading: an arc and a straight line, or less than 0 if the position lies within a turning
-/// circle, to which other curves lead (Bui et al. 1994, "Shortest path synthesis for Dubins
-/// non-holonomic robot").
+double positive_angle(double angle) {
+  return angle < 0 ? angle + 2 * M_PI : angle;
+}
+
+/// The length of an arc to the left and a straight line to a position, m. The frame is that of the
+/// car about the center of the left turning circle, outside of which the position lies.
 double arc_and_line(const TPoint2D& goal, double radius) {
-  double shortest = -1;
+  const double line = std::sqrt(std::max(0.0, goal.sqrNorm() - radius * radius));
+  const double angle = math::atan2(goal.y, goal.x) + math::atan2(radius, line);
+  constexpr double kRounding = 1e-9;
+  const double turn = angle < -kRounding ? angle + 2 * M_PI : std::max(angle, 0.0);
+  return radius * turn + line;
+}
+
+/// The length of an arc to the left and one to the right to the same, m; infinity if it is farther
+/// than these lead. The center of the second circle is 2 radii from the first one and 1 from it.
+double arc_and_arc(const TPoint2D& goal, double radius) {
+  const double distance = goal.norm();
+  if (distance > 3 * radius) return HUGE_VAL;
+  const double cosine = (distance * distance + 3 * radius * radius) / (4 * radius * distance);
+  const double between = math::acos(std::min(1.0, cosine));
+  double shortest = HUGE_VAL;
+  for (const double side : {1.0, -1.0}) {
+    const double to_center = math::atan2(goal.y, goal.x) + side * between;
+    const TPoint2D center(2 * radius * math::cos(to_center), 2 * radius * math::sin(to_center));
+    const double to_goal = math::atan2(goal.y - center.y, goal.x - center.x);
+    const double left = positive_angle(mrpt::math::wrapToPi(to_center + M_PI_2));
+    const double right = positive_angle(mrpt::math::wrapToPi(to_center + M_PI - to_goal));
+    shortest = std::min(shortest, radius * (left + right));
+  }
+  return shortest;
+}
+
+/// The length of the shortest curve of a car that drives forward only to a position in its frame,
+/// in any heading: an arc and a straight line, or two arcs (Boissonnat and Bui 1994, "Accessibility
+/// region for a car that only moves forwards along optimal paths").
+double shortest_curve(const TPoint2D& goal, double radius) {
+  constexpr double kRounding = 1e-9;  // m
+  double shortest = HUGE_VAL;
   for (const double side : {1.0, -1.0}) {
     const TPoint2D from_center(goal.x, side * goal.y - radius);
-    const double square =
-        from_center.x * from_center.x + from_center.y * from_center.y - radius * radius;
-    if (square < 0) return -1;
-    const double line = std::sqrt(square);
-    const double angle = math::atan2(from_center.y, from_center.x) + math::atan2(radius, line);
-    constexpr double kRounding = 1e-9;
-    const double turn = angle < -kRounding ? angle + 2 * M_PI : std::max(angle, 0.0);
-    const double length = radius * turn + line;
-    if (shortest < 0 || length < shortest) shortest = length;
+    if (from_center.norm() < radius - kRounding) continue;
+    shortest =
+        std::min({shortest, arc_and_line(from_center, radius), arc_and_arc(from_center, radius)});
   }
   return shortest;
 }
@@ -144,7 +171,7 @@ double obstacle_free_bound(const PlanningProblem& problem, double min_turning_ra
   if (reversible) return bound;
   const double c = math::cos(problem.start_heading), s = math::sin(problem.start_heading);
   const TPoint2D in_frame(c * to_goal.x + s * to_goal.y, c * to_goal.y - s * to_goal.x);
-  return std::max(bound, arc_and_line(in_frame, min_turning_radius));
+  return std::max(bound, shortest_curve(in_frame, min_turning_radius));
 }
 
 double turning_lower_bound(const PlanningProblem& problem, const ShortestPath& exact,

@@ -7,9 +7,8 @@ namespace slalom {
 
 /// A lower bound (m) of the length of every path of a car from the pose of the start to the goal,
 /// in any heading there, without obstacles: at least the straight distance. It is the length of the
-/// shortest curve of Dubins (1957) to a goal outside of the turning circles; if the car is
-/// `reversible`, that of Reeds and Shepp (1990) where it is an arc of at most 90 degrees and a
-/// straight line, and less elsewhere.
+/// shortest curve of Dubins (1957) to the goal; if the car is `reversible`, that of Reeds and Shepp
+/// (1990) where it is an arc of at most 90 degrees and a straight line, and less elsewhere.
 double obstacle_free_bound(const PlanningProblem& problem, double min_turning_radius,
                            bool reversible);
 
