@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -57,8 +59,11 @@ class Extent {
   TPoint2D low_{HUGE_VAL, HUGE_VAL}, high_{-HUGE_VAL, -HUGE_VAL};
 };
 
-/// Makes the cells free whose centers a disc of `radius` and half a cell's diagonal covers.
-void clear_disc(COccupancyGridMap2D& grid, const TPoint2D& center, double radius) {
+/// Calls `use(x, y)` for the cells whose centers a disc of `radius` and half a cell's diagonal
+/// covers.
+template <typename Use>
+void for_cells_of_disc(const COccupancyGridMap2D& grid, const TPoint2D& center, double radius,
+                       Use use) {
   const double reach = radius + grid.getResolution() * M_SQRT1_2;
   const int last_x = static_cast<int>(grid.getSizeX()) - 1;
   const int last_y = static_cast<int>(grid.getSizeY()) - 1;
@@ -72,25 +77,75 @@ void clear_disc(COccupancyGridMap2D& grid, const TPoint2D& center, double radius
     for (int cx = x(center.x - reach); cx <= x(center.x + reach); ++cx) {
       const TPoint2D cell(static_cast<double>(grid.idx2x(static_cast<std::size_t>(cx))),
                           static_cast<double>(grid.idx2y(static_cast<std::size_t>(cy))));
-      if (distance_between(cell, center) <= reach) grid.setCell(cx, cy, 1.0F);
+      if (distance_between(cell, center) <= reach) use(cx, cy);
     }
 }
 
-/// The discs of a robot along its poses are free.
-void clear_path(COccupancyGridMap2D& grid, const std::vector<TPose2D>& poses, double radius) {
+/// The positions along the poses, at most a cell apart.
+std::vector<TPoint2D> points_along(const std::vector<TPose2D>& poses, double resolution) {
+  std::vector<TPoint2D> points;
   std::optional<TPoint2D> last;
   for (const TPose2D& pose : poses) {
     const TPoint2D to(pose);
     const TPoint2D from = last.value_or(to);
     const double length = distance_between(from, to);
-    if (last && length < 0.5 * grid.getResolution()) continue;
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / grid.getResolution())));
+    if (last && length < 0.5 * resolution) continue;
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / resolution)));
     // Poses that are further apart than this are not those of one motion.
     constexpr double kJump = 1;  // m
     for (int i = length > kJump ? steps : 1; i <= steps; ++i)
-      clear_disc(grid, from + (to - from) * (static_cast<double>(i) / steps), radius);
+      points.push_back(from + (to - from) * (static_cast<double>(i) / steps));
     last = to;
   }
+  return points;
+}
+
+/// Makes unseen cells free within `reach` (m) of the points, unless obstacles are in between.
+void clear_unseen(COccupancyGridMap2D& grid, const std::vector<TPoint2D>& points, double reach) {
+  constexpr std::uint8_t kOutside = 0, kInReach = 1, kDone = 2;
+  const int size_x = static_cast<int>(grid.getSizeX()), size_y = static_cast<int>(grid.getSizeY());
+  const auto unseen = COccupancyGridMap2D::p2l(0.5F);
+  std::vector<std::uint8_t> cells(static_cast<std::size_t>(size_x) * size_y, kOutside);
+  const auto cell = [&](int x, int y) -> std::uint8_t& {
+    return cells[static_cast<std::size_t>(y) * size_x + x];
+  };
+  for (const TPoint2D& point : points)
+    for_cells_of_disc(grid, point, reach, [&](int x, int y) { cell(x, y) = kInReach; });
+  std::vector<std::pair<int, int>> open;
+  const auto visit = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= size_x || y >= size_y || cell(x, y) != kInReach) return;
+    cell(x, y) = kDone;
+    auto& value = grid.getRow(y)[x];
+    if (value < unseen) return;
+    if (value == unseen) grid.setCell(x, y, 1.0F);
+    open.emplace_back(x, y);
+  };
+  for (const TPoint2D& point : points) for_cells_of_disc(grid, point, 0, visit);
+  while (!open.empty()) {
+    const auto [x, y] = open.back();
+    open.pop_back();
+    visit(x - 1, y);
+    visit(x + 1, y);
+    visit(x, y - 1);
+    visit(x, y + 1);
+  }
+}
+
+/// m: unseen cells within it count as free, enough for the margins at which methods plan and turn.
+double free_reach(const LogMapOptions& options) {
+  return 4 * options.robot_radius;
+}
+
+/// Makes free what a robot covered along its poses, and what it did not see near them.
+void clear_path(LogMap& map, const std::vector<TPose2D>& poses, const LogMapOptions& options) {
+  COccupancyGridMap2D& grid = map.grid;
+  const std::vector<TPoint2D> points = points_along(poses, grid.getResolution());
+  for (const TPoint2D& point : points)
+    for_cells_of_disc(grid, point, options.robot_radius,
+                      [&](int x, int y) { grid.setCell(x, y, 1.0F); });
+  clear_unseen(grid, points, free_reach(options));
+  map.start = poses.front();
+  map.goal = TPoint2D(poses.back());
 }
 
 /// The grid without the rows and columns at the borders in which no cell is free, but `margin`
@@ -231,9 +286,7 @@ LogMap map_of_bag(const std::string& path, const LogMapOptions& options) {
   map.grid = to_grid(from.grid, path + ": " + topic);
   std::vector<TPose2D> poses;
   for (const Sample& sample : drive.trajectory.samples) poses.push_back(sample.pose);
-  clear_path(map.grid, poses, options.robot_radius);
-  map.start = poses.front();
-  map.goal = TPoint2D(poses.back());
+  clear_path(map, poses, options);
   map.notes = {"map of '" + topic + "'", drive.notes.front()};
   return map;
 }
@@ -255,7 +308,7 @@ LogMap map_of_scans(const LogObjects& log, const std::string& path, const LogMap
   for (const LoggedScan& scan : scans)
     for (const TPoint2D& point : scan_points(*scan.scan))
       extent.add(scan.odometry->composePoint(point));
-  map.grid = extent.grid(options.resolution, 2 * options.robot_radius, path);
+  map.grid = extent.grid(options.resolution, free_reach(options), path);
   auto& insertion = map.grid.insertionOptions;
   insertion.considerInvalidRangesAsFreeSpace = false;
   insertion.maxDistanceInsertion = HUGE_VALF;
@@ -263,11 +316,9 @@ LogMap map_of_scans(const LogObjects& log, const std::string& path, const LogMap
     const mrpt::poses::CPose3D at{mrpt::poses::CPose2D(*scan.odometry)};
     map.grid.insertObservation(*scan.scan, at);
   }
-  clear_path(map.grid, poses, options.robot_radius);
+  clear_path(map, poses, options);
   constexpr int kMargin = 4;  // cells
   map.grid = cropped(map.grid, kMargin);
-  map.start = poses.front();
-  map.goal = TPoint2D(poses.back());
   map.notes = log.notes;
   map.notes.push_back("grid of " + count_text(scans.size(), "scan") +
                       " along the odometry, whose drift it has");
@@ -280,7 +331,11 @@ bool is_log(const std::string& path) {
 
 LogMap load_log_map(const std::string& path, const LogMapOptions& options) {
   LogMap map = is_bag(path) ? map_of_bag(path, options) : load_map_of_scans(path, options);
-  if (options.unknown_is_free) set_unknown_free(map.grid);
+  if (options.unknown_is_free)
+    set_unknown_free(map.grid);
+  else
+    map.notes.push_back("unseen cells are free within " + format_number(free_reach(options)) +
+                        " m of the drive, else occupied (--unknown-free: free)");
   return map;
 }
 

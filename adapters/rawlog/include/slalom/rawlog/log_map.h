@@ -16,7 +16,7 @@ namespace slalom {
 struct LogMapOptions {
   double resolution = 0.05;      ///< m, cell size of a grid that is built from scans
   double robot_radius = 0.25;    ///< m; what the robot covered is free
-  bool unknown_is_free = false;  ///< else unknown cells stay unknown: obstacles
+  bool unknown_is_free = false;  ///< else those stay unknown that are 4 radii from the drive
   BagSelection topics = {};      ///< of a bag
 };
 
