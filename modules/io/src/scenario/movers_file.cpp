@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -21,6 +22,8 @@ constexpr std::size_t kMaxLines = 1'000'000;
 /// Collects the positions of movers in the order of the file.
 class MoverCollector {
  public:
+  std::string hint;  ///< what else may be wrong where times do not increase
+
   MoverCollector(const TextLines& lines, const MoversFileOptions& options)
       : lines_(lines), options_(options) {}
 
@@ -34,7 +37,7 @@ class MoverCollector {
     t -= options_.begin;
     if (!is_new && !(t > mover.waypoints.back().t))
       throw lines_.error("a time of '" + id + "' that does not follow the one before it",
-                         "times that increase");
+                         "times that increase" + hint);
     mover.waypoints.push_back({t, {x, y}});
   }
 
@@ -209,25 +212,147 @@ void read_csv(const std::string& header, TextLines& lines, const std::string& wh
   if (frames) frames->check(where);
 }
 
-/// Lines of four numbers, frame id x y, or the eight of an obsmat.txt.
+constexpr const char* kNamedOrder = "a line '# id frame x y' before lines in this order";
+
+/// The fields of lines of numbers.
+struct FrameFields {
+  std::size_t count = 0, frame = 0, id = 1, x = 2, y = 3;
+  double scale = 1;  ///< m
+  bool is_named = false;
+  std::optional<std::pair<std::size_t, std::size_t>> velocity = std::nullopt;
+};
+
+std::vector<std::string> frame_fields(const std::string& line) {
+  std::string blanks = line;
+  std::replace_if(
+      blanks.begin(), blanks.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+  return split_at_blanks(blanks);
+}
+
+bool has_numbers(const std::string& line) {
+  const std::vector<std::string> fields = frame_fields(line);
+  double number = 0;
+  return !fields.empty() && parse_number(fields[0], number);
+}
+
+/// The order that a line of names states ("# PersID Frame x/m y/m z/m"); none if it does not.
+std::optional<FrameFields> named_order(const std::string& header, const TextLines& lines) {
+  static const std::map<std::string, std::string> kNames = {
+      {"id", "id"},          {"persid", "id"},    {"pers_id", "id"},  {"personid", "id"},
+      {"person", "id"},      {"person_id", "id"}, {"ped_id", "id"},   {"pedid", "id"},
+      {"agent_id", "id"},    {"track_id", "id"},  {"frame", "frame"}, {"fr", "frame"},
+      {"frame_id", "frame"}, {"x", "x"},          {"y", "y"}};
+  static const std::map<std::string, double> kLengthUnits = {
+      {"", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 1e-3}};
+  std::string names = header.substr(std::min(header.find_first_not_of("# \t"), header.size()));
+  for (std::size_t i = names.size(); i-- > 1;)  // "x [m]" is one name
+    if ((names[i] == '[' || names[i] == '(') && names[i - 1] == ' ') names.erase(i - 1, 1);
+  const std::vector<std::string> fields = frame_fields(names);
+  std::map<std::string, std::size_t> found;
+  std::string duplicate;
+  std::set<std::string> units;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string field = lower_case(fields[i]);
+    const std::size_t unit = std::min(field.find_first_of("/[("), field.size());
+    const auto name = kNames.find(field.substr(0, unit));
+    if (name == kNames.end()) continue;
+    if (!found.emplace(name->second, i).second) duplicate = name->second;
+    if (name->second != "x" && name->second != "y") continue;
+    const std::size_t begin = std::min(field.find_first_not_of("/[(", unit), field.size());
+    units.insert(field.substr(begin, field.find_last_not_of("])") + 1 - begin));
+  }
+  if (found.size() != 4) return std::nullopt;
+  if (!duplicate.empty())
+    throw lines.error("two columns of '" + duplicate + "'", "each column once");
+  if (units.size() != 1 || kLengthUnits.count(*units.begin()) == 0)
+    throw lines.error("unknown unit of x and y", "m, cm or mm, as in x/m y/m");
+  return FrameFields{fields.size(), found["frame"], found["id"],
+                     found["x"],    found["y"],     kLengthUnits.at(*units.begin()),
+                     true};
+}
+
+/// The fields of lines without names: four, or the eight of an obsmat.txt.
+FrameFields unnamed_order(std::size_t count, const TextLines& lines) {
+  constexpr std::size_t kPositions = 4, kObsmat = 8;
+  if (count == kPositions) return {kPositions};
+  if (count == kObsmat) return {kObsmat, 0, 1, 2, 4, 1, false, std::pair{5, 7}};
+  throw lines.error(
+      std::to_string(count) + " fields",
+      "4 numbers (frame id x y), or the 8 of an obsmat.txt, or " + std::string(kNamedOrder));
+}
+
+/// Compares the order of frame and id with the opposite one: people move less from line to line
+/// than one person is away from another.
+class FieldOrder {
+ public:
+  void add(double frame, double id, const mrpt::math::TPoint2D& position) {
+    as_read_.add(id, position);
+    opposite_.add(frame, position);
+  }
+
+  void check(const std::string& where) {
+    constexpr double kClearly = 0.75;
+    if (opposite_.steps.empty()) return;
+    const double other = median(opposite_.steps);
+    const double own =
+        as_read_.steps.empty() ? std::numeric_limits<double>::infinity() : median(as_read_.steps);
+    if (other < kClearly * own)
+      throw file_error(where,
+                       as_read_.steps.empty()
+                           ? "each id has one position only"
+                           : "the positions of an id are " + format_fixed(own, 2) +
+                                 " m apart, in the order id frame x y " + format_fixed(other, 2) +
+                                 " m",
+                       "lines of frame id x y, or " + std::string(kNamedOrder));
+  }
+
+ private:
+  /// Distances between successive positions of the same number.
+  struct Steps {
+    std::map<double, mrpt::math::TPoint2D> last;
+    std::vector<double> steps;
+
+    void add(double number, const mrpt::math::TPoint2D& position) {
+      const auto [found, is_new] = last.try_emplace(number, position);
+      if (!is_new)
+        steps.push_back(math::hypot(position.x - found->second.x, position.y - found->second.y));
+      found->second = position;
+    }
+  };
+
+  Steps as_read_, opposite_;
+};
+
+/// Lines of numbers in the order that a line before them names, else frame id x y, or the eight of
+/// an obsmat.txt.
 void read_frames(std::string line, TextLines& lines, const std::string& where,
                  const MoversFileOptions& options, MoverCollector& movers) {
-  constexpr std::size_t kPositions = 4, kObsmat = 8;
-  const std::size_t count = split_at_blanks(line).size();
-  if (count != kPositions && count != kObsmat)
+  const bool is_header = !has_numbers(line);
+  auto named = named_order(is_header ? line : lines.remark(), lines);
+  if (is_header && named && !lines.next(line))
+    throw file_error(where, "no positions", "lines of numbers");
+  const std::size_t count = frame_fields(line).size();
+  const FrameFields order = named ? *named : unnamed_order(count, lines);
+  if (count < order.count)
     throw lines.error(std::to_string(count) + " fields",
-                      "4 numbers (frame id x y), or the 8 of an obsmat.txt");
+                      std::to_string(order.count) + " as the line of names has");
+  if (!order.is_named) movers.hint = ", or " + std::string(kNamedOrder);
   FrameCollector frames(lines, options, movers);
+  FieldOrder field_order;
   do {
-    const auto n = numbers_of(split_at_blanks(line), count, lines);
-    if (n[1] != std::round(n[1]) || std::abs(n[1]) > 1e9)
-      throw lines.error("invalid id in field 2", "an integer");
-    const std::string id = std::to_string(std::lround(n[1]));
-    if (count == kPositions)
-      frames.add(id, n[0], n[2], n[3], options.radius);
+    const auto n = numbers_of(frame_fields(line), count, lines);
+    if (n[order.id] != std::round(n[order.id]) || std::abs(n[order.id]) > 1e9)
+      throw lines.error("invalid id in field " + std::to_string(order.id + 1), "an integer");
+    const std::string id = std::to_string(std::lround(n[order.id]));
+    const double x = n[order.x] * order.scale, y = n[order.y] * order.scale;
+    if (!order.is_named && !order.velocity) field_order.add(n[order.frame], n[order.id], {x, y});
+    if (order.velocity)
+      frames.add(id, n[order.frame], x, y, options.radius,
+                 math::hypot(n[order.velocity->first], n[order.velocity->second]));
     else
-      frames.add(id, n[0], n[2], n[4], options.radius, math::hypot(n[5], n[7]));
+      frames.add(id, n[order.frame], x, y, options.radius);
   } while (lines.next(line));
+  field_order.check(where);
   frames.check(where);
 }
 
@@ -245,7 +370,8 @@ Movers movers_from_text(const std::string& text, const std::string& where,
   const std::string expected = "CSV with the columns id, t, x, y, or lines of frame id x y";
   if (!lines.next(line)) throw file_error(where, "empty file", expected);
   MoverCollector movers(lines, options);
-  if (line.find(',') != std::string::npos)
+  const bool is_named = has_numbers(line) && named_order(lines.remark(), lines);
+  if (line.find(',') != std::string::npos && !is_named)
     read_csv(line, lines, where, options, movers);
   else
     read_frames(line, lines, where, options, movers);

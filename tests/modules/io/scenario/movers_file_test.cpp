@@ -80,6 +80,48 @@ TEST(MoversFile, FramesOfPredictionBenchmarksAreTimesByTheFrameRate) {
             expected);
 }
 
+TEST(MoversFile, ALineOfNamesStatesTheOrderOfItsFields) {
+  // Two persons of 1 m/s at 10 frames per second, as JuPedSim and PedPy write them.
+  MoversFileOptions options;
+  options.frame_rate = 10;
+  const Movers expected = {{"1", 0.3, {{0.5, {0, 2}}, {0.6, {0.1, 2}}}, MoverEnd::Vanish},
+                           {"2", 0.3, {{0.5, {7, 8}}, {0.6, {7.1, 8}}}, MoverEnd::Vanish}};
+  for (const char* text :
+       {"# framerate: 10\n# PersID\tFrame\tx/m\ty/m\n1 5 0 2\n1 6 0.1 2\n2 5 7 8\n2 6 7.1 8\n",
+        "# id frame x y z\n1 5 0 2 1.7\n1 6 0.1 2 1.7\n2 5 7 8 1.6\n2 6 7.1 8 1.6\n",
+        "#ID FR X Y Z A\n1 5 0 2 0 9\n1 6 0.1 2 0 9\n2 5 7 8 0 9\n2 6 7.1 8 0 9\n",
+        "# id frame x y\n1 5 0 2 1.7\n1 6 0.1 2 1.7\n2 5 7 8 1.6\n2 6 7.1 8 1.6\n",
+        "# id frame x [m] y [m]\n1 5 0 2\n1 6 0.1 2\n2 5 7 8\n2 6 7.1 8\n",
+        "PersID Frame x y\n1 5 0 2\n1 6 0.1 2\n2 5 7 8\n2 6 7.1 8\n",
+        "# frame id x y\n5 1 0 2\n5 2 7 8\n6 1 0.1 2\n6 2 7.1 8\n",
+        "# id,frame,x/cm,y/cm\n1,5,0,200\n1,6,10,200\n2,5,700,800\n2,6,710,800\n"})
+    EXPECT_EQ(movers_from_text(text, "f", options), expected) << text;
+  EXPECT_TRUE(refuses("# id frame x/ft y/ft\n1 5 0 2\n", "f:2: unknown unit of x and y", options));
+  EXPECT_TRUE(refuses("# id frame x y x\n1 5 0 2 3\n", "f:2: two columns of 'x'", options));
+  EXPECT_TRUE(refuses("# id frame x y z\n1 5 0 2\n",
+                      "f:2: 4 fields; expected 5 as the line of names has", options));
+}
+
+TEST(MoversFile, LinesInTheOppositeOrderAreRefusedWithTheLineThatNamesIt) {
+  MoversFileOptions options;
+  options.frame_rate = 10;
+  // One person after the other: each "id" is a frame, with one position.
+  EXPECT_TRUE(refuses("1 5 0 2\n1 6 0.1 2\n2 7 4 2\n2 8 4.1 2\n",
+                      "f: each id has one position only; expected lines of frame id x y, or a line "
+                      "'# id frame x y'",
+                      options));
+  // Two persons at the same time, 0.4 m apart: within the speed of people at 10 frames per second.
+  EXPECT_TRUE(refuses(
+      "1 5 0 2\n1 6 0.1 2\n2 5 0 2.4\n2 6 0.1 2.4\n",
+      "f: the positions of an id are 0.40 m apart, in the order id frame x y 0.10 m", options));
+  EXPECT_EQ(movers_from_text("5 1 0 2\n5 2 0 2.4\n6 1 0.1 2\n6 2 0.1 2.4\n", "f", options).size(),
+            2U);
+  EXPECT_TRUE(refuses("7 1 0 2\n7 1 5 2\n",
+                      "f:2: a time of '1' that does not follow the one before it; expected times "
+                      "that increase, or a line '# id frame x y' before lines in this order",
+                      options));
+}
+
 TEST(MoversFile, VelocitiesOfACsvCheckItsFrameRate) {
   // 1.5 m/s along y, 0.06 m a frame: 25 frames per second. Columns as those of DUT.
   const std::string walker =
