@@ -100,16 +100,40 @@ std::optional<LogColumns::Source> find_column(const Aliases& aliases, const LogC
   return std::nullopt;
 }
 
-/// The index of a name, in any case if it is not there as it is written.
-std::optional<std::size_t> index_of(const std::string& name,
-                                    const std::vector<std::string>& names) {
-  auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    found = std::find_if(names.begin(), names.end(), [&](const std::string& other) {
-      return lower_case(other) == lower_case(name);
-    });
-  if (found == names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - names.begin());
+/// The index of a name, in any case if it is not there as it is written. Throws Error (File) for a
+/// name of two columns.
+std::optional<std::size_t> index_of(const std::string& name, const std::vector<std::string>& names,
+                                    const TextLines& lines) {
+  std::vector<std::size_t> exact, similar;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) exact.push_back(i);
+    if (lower_case(names[i]) == lower_case(name)) similar.push_back(i);
+  }
+  const std::vector<std::size_t>& found = exact.empty() ? similar : exact;
+  if (found.size() > 1)
+    throw lines.error("columns " + std::to_string(found[0] + 1) + " and " +
+                          std::to_string(found[1] + 1) + " are both named '" + names[found[0]] +
+                          "'",
+                      "a header line with a name of its own for each column that is used");
+  return found.empty() ? std::nullopt : std::optional(found[0]);
+}
+
+/// The COLUMN of NAME=COLUMN[*FACTOR].
+std::string chosen_column(const std::string& text) {
+  const std::size_t equal = text.find('='), star = text.rfind('*');
+  const bool scaled = star != std::string::npos && star > equal;
+  return trim(text.substr(equal + 1, scaled ? star - equal - 1 : std::string::npos));
+}
+
+/// Whether a header has all columns of --columns.
+bool has_chosen_columns(const std::string& columns_option, const std::vector<std::string>& names) {
+  const std::vector<std::string> choices = split_nonempty(columns_option, ',');
+  return !choices.empty() &&
+         std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
+           return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+             return lower_case(name) == lower_case(chosen_column(choice));
+           });
+         });
 }
 
 /// One NAME=COLUMN[*FACTOR] of --columns. A factor takes the place of the unit in the header.
@@ -120,14 +144,14 @@ void choose_column(const std::string& text, LogColumns& columns, const TextLines
   if (equal == std::string::npos)
     throw usage_error("--columns", "no '=' in '" + text + "'", "NAME=COLUMN or NAME=COLUMN*FACTOR");
   const std::string name = trim(text.substr(0, equal));
-  const auto quantity = index_of(name, known);
+  const auto quantity = index_of(name, known, lines);
   if (!quantity)
     throw usage_error("--columns", "unknown name '" + name + "'", expected_name(name, known));
   if (columns.sources[*quantity])
     throw usage_error("--columns", "two columns of '" + name + "'", "one");
   const bool scaled = star != std::string::npos && star > equal;
-  const std::string column = trim(text.substr(equal + 1, scaled ? star - equal - 1 : star));
-  const auto field = index_of(column, columns.names);
+  const std::string column = chosen_column(text);
+  const auto field = index_of(column, columns.names, lines);
   if (!field)
     throw lines.error("no column '" + column + "' for " + name,
                       expected_name(column, columns.names, some_of(columns.names)));
@@ -138,7 +162,9 @@ void choose_column(const std::string& text, LogColumns& columns, const TextLines
 }
 
 /// The columns as the remark before a line of numbers names them; none if it does not.
-std::optional<LogColumns> columns_of_remark(const std::string& line, const TextLines& lines) {
+std::optional<LogColumns> columns_of_remark(const std::string& line,
+                                            const std::string& columns_option,
+                                            const TextLines& lines) {
   LogColumns columns;
   columns.first_line_has_numbers = true;
   columns.separator = separator_of_numbers(line);
@@ -146,13 +172,15 @@ std::optional<LogColumns> columns_of_remark(const std::string& line, const TextL
   remark = trim(remark.erase(0, remark.find_first_not_of('#')));
   columns.names = fields_of(remark, separator_of(remark));
   const bool has_names = columns.names.size() == fields_of(line, columns.separator).size() &&
-                         find_column(kAliases[kTime], columns, lines);
+                         (has_chosen_columns(columns_option, columns.names) ||
+                          find_column(kAliases[kTime], columns, lines));
   return has_names ? std::optional(columns) : std::nullopt;
 }
 
 /// The names of the fields of a log whose first line of content has numbers.
-LogColumns columns_without_header(const std::string& line, const TextLines& lines) {
-  if (auto columns = columns_of_remark(line, lines)) return *columns;
+LogColumns columns_without_header(const std::string& line, const std::string& columns_option,
+                                  const TextLines& lines) {
+  if (auto columns = columns_of_remark(line, columns_option, lines)) return *columns;
   LogColumns columns;
   columns.first_line_has_numbers = true;
   columns.separator = separator_of_numbers(line);
@@ -212,8 +240,9 @@ std::string LogColumns::note() const {
   return count_text(unused.size(), "column") + " not used: " + some_of(unused);
 }
 
-bool is_header_before(const std::string& line, const TextLines& lines) {
-  return columns_of_remark(line, lines).has_value();
+bool is_header_before(const std::string& line, const std::string& columns_option,
+                      const TextLines& lines) {
+  return columns_of_remark(line, columns_option, lines).has_value();
 }
 
 LogColumns find_log_columns(const std::string& line, const std::string& columns_option,
@@ -223,7 +252,7 @@ LogColumns find_log_columns(const std::string& line, const std::string& columns_
   columns.names = fields_of(line, columns.separator);
   double number = 0;
   if (parse_number(fields_of(line, separator_of_numbers(line))[0], number))
-    columns = columns_without_header(line, lines);
+    columns = columns_without_header(line, columns_option, lines);
   for (const std::string& choice : split_nonempty(columns_option, ','))
     choose_column(choice, columns, lines);
   auto& sources = columns.sources;

@@ -39,8 +39,10 @@ struct LogColumns {
   std::string note() const;
 };
 
-/// Whether the line with '#' before a line of numbers names their columns.
-bool is_header_before(const std::string& line, const TextLines& lines);
+/// Whether the line with '#' before a line of numbers names their columns. It does if it has a name
+/// of the time, or all columns of --columns.
+bool is_header_before(const std::string& line, const std::string& columns_option,
+                      const TextLines& lines);
 
 /// The columns of a log by its first line of content, or by the line with '#' before it, or by the
 /// number of its fields. `columns` is --columns. Throws Error (File, Usage).

@@ -306,7 +306,7 @@ std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::st
     throw file_error(where, "empty file", "a trajectory as CSV with a header line, or as TUM");
   while (is_remark(line))
     if (!lines.next(line)) throw file_error(where, "has only comments", "a trajectory");
-  if (numbers_without_time(line) > 0 && !is_header_before(line, lines))
+  if (numbers_without_time(line) > 0 && !is_header_before(line, selection.columns, lines))
     return read_without_times(line, lines, where, sideways, selection);
   if (selection.rate > 0) throw usage_error("--rate", where + " has times", "no --rate");
   return read_log(line, lines, sideways, selection, split);

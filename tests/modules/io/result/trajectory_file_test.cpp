@@ -175,6 +175,40 @@ TEST(TrajectoryFile, RejectsInvalidHeadersAndSuggestsTheNearestName) {
   EXPECT_TRUE(refused_log(std::string(1000, '\0'), "log: ", {"is no text"}));
 }
 
+TEST(TrajectoryFile, TwoColumnsOfOneNameAreRefusedHoweverTheyAreNamed) {
+  // Rotation and position of a motion capture system.
+  const std::string text = "Time,X,Y,X,Y\n0,0,0,1000,2000\n1,0,0,1500,2000\n";
+  LogSelection selection;
+  for (const char* columns : {"t=Time,x=X*0.001,y=Y*0.001", "x=x*0.001"}) {
+    selection.columns = columns;
+    EXPECT_TRUE(throws_error(ErrorKind::File,
+                             "log:1: ", {"columns 2 and 4 are both named 'X'", "a name of its own"},
+                             [&] { trajectory_from_text(text, "log", false, selection); }))
+        << columns;
+  }
+  selection.columns = "x=px";
+  EXPECT_EQ(
+      trajectory_from_text("t,px,y,note,note\n0,0,0,a,b\n1,1,0,a,b\n", "log", false, selection)
+          .trajectory.samples.size(),
+      2U)
+      << "of columns that are not used";
+}
+
+TEST(TrajectoryFile, AHeaderBehindAHashIsThatOfTheColumnsOption) {
+  LogSelection selection;
+  selection.columns = "t=s_m,x=x_m*2,y=y_m";
+  for (const char* hash : {"# ", "#", ""}) {
+    const TrajectoryFile file = trajectory_from_text(
+        std::string(hash) + "s_m; x_m; y_m\n0;1;2\n1;1.5;2\n", "log", false, selection);
+    ASSERT_EQ(file.trajectory.samples.size(), 2U) << hash;
+    EXPECT_EQ(file.trajectory.samples[1].pose.x, 3) << hash;
+  }
+  selection.columns = "t=s_m,x=x_m,y=z_m";
+  EXPECT_TRUE(throws_error(ErrorKind::File, "log:2: ", {"no header line before 3 numbers"}, [&] {
+    trajectory_from_text("# s_m; x_m; y_m\n0;1;2\n", "log", false, selection);
+  }));
+}
+
 TEST(TrajectoryFile, RejectsDamagedTum) {
   EXPECT_TRUE(refused_log("0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0\n",
                           "log:2: ", {"7 fields", "expected 8 numbers"}));
