@@ -37,6 +37,7 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
     results.push_back(read_analysis_input(file, columns, file == arguments.csv_file, options));
     warn_of_missing(file, results.back());
   }
+  unify_kinds(results);
   return results;
 }
 

@@ -31,6 +31,9 @@ void add_key_options(CLI::App& verb, CsvColumnOptions& options) {
   add_words(verb, "--names", options.names,
             "CSV without a header line: the names of its columns, such as "
             "world,success,collided,timeout,time,metric");
+  add_words(verb, "--unconditional", options.unconditional,
+            "CSV: columns that count in runs that failed, too (default: times, lengths and the "
+            "like do not)");
   verb.add_option_function<std::string>(
       "--kind", [&options](const std::string& text) { options.kinds = parse_column_kinds(text); },
       "CSV: kind of the values of columns, COLUMN=KIND,...: rate (0 or 1), count, amount or ratio "

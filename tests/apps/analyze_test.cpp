@@ -233,7 +233,10 @@ TEST_F(Analyze, ReadsATableWithoutHeader) {
   const ProgramResult table =
       run("slalom-analyze table out.txt --csv --columns success,time" + names);
   EXPECT_EQ(table.status, 0);
-  EXPECT_EQ(table.err, "out.txt: separated by blanks; taken: world as scenario\n");
+  EXPECT_EQ(table.err,
+            "out.txt: separated by blanks; not available in runs that failed: time "
+            "(--unconditional); taken: world as scenario, "
+            "collided as collision\n");
   EXPECT_NE(table.out.find("\nall,"), std::string::npos) << table.out;
   expect_failure("slalom-analyze table out.txt", 3,
                  {"out.txt:1", "only numbers", "--names NAME,... with 6 names"});
@@ -245,6 +248,48 @@ TEST_F(Analyze, ReadsATableWithoutHeader) {
           "--outcome-column result");
   EXPECT_EQ(words.status, 0);
   EXPECT_NE(words.err.find("'docked' as success, 'lost' as failure"), std::string::npos);
+}
+
+TEST_F(Analyze, ComparesTimesOfRunsThatReachedTheGoal) {
+  // In the ten scenarios that both solve a needs 20 s to 29 s and b 10 s to 19 s; in the others a
+  // fails after 4 s.
+  std::string text = "method,world,success,time\n";
+  for (int i = 0; i < 20; ++i) {
+    const std::string world = std::to_string(i);
+    text += "a," + world + (i < 10 ? ",1,2" : ",0,") + (i < 10 ? world : "4") + "\n";
+    text += "b," + world + ",1,1" + (i < 10 ? world : "9") + "\n";
+  }
+  write("runs.csv", text);
+  const ProgramResult compare = run("slalom-analyze compare runs.csv --metric time --down time");
+  EXPECT_NE(compare.out.find("b is better than a in time"), std::string::npos) << compare.out;
+  EXPECT_NE(compare.err.find("not available in runs that failed: time"), std::string::npos);
+  const ProgramResult summary = run("slalom-analyze summary runs.csv --metric time --down time");
+  EXPECT_NE(summary.out.find("time on the 10 scenarios that all 2 methods solved"),
+            std::string::npos)
+      << summary.out;
+  EXPECT_EQ(summary.out.find("never collides"), std::string::npos) << summary.out;
+  const ProgramResult completion = run("slalom-analyze completion runs.csv");
+  EXPECT_NE(completion.out.find("a: 10 of 20 runs reached the goal"), std::string::npos)
+      << completion.out << completion.err;
+}
+
+TEST_F(Analyze, DecidesTheKindOfAColumnOverBothTables) {
+  std::string one = "method,world,contacts\n", two = one, three = one;
+  for (int i = 0; i < 20; ++i) {
+    const std::string world = std::to_string(i);
+    one += "m,a" + world + "," + std::to_string(i % 2) + "\n";
+    two += "m,b" + world + "," + std::to_string(2 * (i % 2)) + "\n";
+    three += "m,a" + world + "," + std::to_string(2 * (i % 2)) + "\n";
+  }
+  write("one.csv", one), write("two.csv", two), write("three.csv", three);
+  const std::string compare = "slalom-analyze compare ";
+  for (const char* files : {"one.csv two.csv", "two.csv one.csv"})
+    EXPECT_NE(run(compare + files + " --metric contacts").out.find("exact Mann-Whitney test"),
+              std::string::npos)
+        << files;
+  for (const char* files : {"one.csv three.csv", "three.csv one.csv"})
+    EXPECT_EQ(run(compare + files + " --metric contacts").out.find("McNemar"), std::string::npos)
+        << files;
 }
 
 TEST_F(Analyze, ComparesTablesWithoutCommonScenariosUnpaired) {

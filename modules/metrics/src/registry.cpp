@@ -103,6 +103,22 @@ const std::vector<Metric>& all_metrics() {
   return table;
 }
 
+const std::vector<std::string>& reached_metric_ids() {
+  static const std::vector<std::string> ids = {"optimality",
+                                               "optimality_area",
+                                               "safety",
+                                               "safety_area",
+                                               "optisafe",
+                                               "path_excess",
+                                               "time_to_goal",
+                                               "time_ratio",
+                                               "path_irregularity",
+                                               "arrival_ratio",
+                                               "frechet_to_reference",
+                                               "hausdorff_to_reference"};
+  return ids;
+}
+
 const std::vector<std::string>& mover_metric_ids() {
 #define SLALOM_ID(id, ...) #id,
   static const std::vector<std::string> ids = {SLALOM_MOVER_METRICS(SLALOM_ID)};

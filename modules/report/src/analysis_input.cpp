@@ -19,6 +19,7 @@ ResultTable read_analysis_input(const std::string& path,
   const bool is_table = !is_result_input(path) && (csv || !ends_with(path, ".results"));
   if (!is_table) return read_results(path, ids);
   CsvColumnOptions with_known = options;
+  with_known.known_conditional = reached_metric_ids();
   for (const Metric& metric : all_metrics()) with_known.known.push_back(metric.info);
   for (const Descriptor& descriptor : all_descriptors())
     with_known.known.push_back(descriptor.info);

@@ -70,7 +70,7 @@ OrderedJson comparisons_json(const ResultTable& runs, const std::vector<PairedCo
 
 OrderedJson completion_json(const ResultTable& runs) {
   OrderedJson json = OrderedJson::array();
-  if (find_metric(runs, kTime) == nullptr) return json;
+  if (find_metric(runs, kTime) == nullptr || find_metric(runs, "success") == nullptr) return json;
   for (const CompletionCurve& curve : build_completion(runs, kTime)) {
     OrderedJson points = OrderedJson::array();
     for (const CurvePoint& point : curve.incidence) points.push_back({point.time, point.value});

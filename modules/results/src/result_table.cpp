@@ -46,7 +46,8 @@ void reorder_runs(ResultTable& columns, const std::vector<std::size_t>& order) {
     reorder_values(*values, order);
   }
   if (!columns.details.empty()) reorder_values(columns.details, order);
-  for (ValueColumn& column : columns.metrics) column.reorder(order);
+  for (auto* values : {&columns.metrics, &columns.unconditional})
+    for (ValueColumn& column : *values) column.reorder(order);
 }
 
 /// The same of scenarios; the runs refer to their new positions.
@@ -123,10 +124,23 @@ void ValueColumn::add_number(double number) {
 }
 
 void ValueColumn::add_na(const std::string& reason) {
+  numbers_.push_back(na_number(reason));
+}
+
+void ValueColumn::set_na(std::size_t row, const std::string& reason) {
+  numbers_[row] = na_number(reason);
+}
+
+void ValueColumn::set_kind(QuantityKind kind, const Range& range) {
+  info_.kind = kind;
+  info_.range = range;
+}
+
+double ValueColumn::na_number(const std::string& reason) {
   const auto [index, added] =
       indexes_.try_emplace(reason, static_cast<std::uint32_t>(reasons_.size()));
   if (added) reasons_.push_back(reason);
-  numbers_.push_back(nan_with(index->second));
+  return nan_with(index->second);
 }
 
 void ValueColumn::pad(std::size_t rows) {
@@ -194,6 +208,11 @@ const ValueColumn* find_metric(const ResultTable& columns, const std::string& id
 
 const ValueColumn* find_descriptor(const ResultTable& columns, const std::string& id) {
   return find(columns.descriptors, id);
+}
+
+const ValueColumn* find_unconditional(const ResultTable& columns, const std::string& id) {
+  const ValueColumn* column = find(columns.unconditional, id);
+  return column == nullptr ? find_metric(columns, id) : column;
 }
 
 void mark_privileged(ResultTable& table, const PrivilegedMethods& methods) {

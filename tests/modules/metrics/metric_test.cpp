@@ -39,7 +39,7 @@ std::vector<std::string> quoted_words(const std::string& text, char quote) {
 }
 
 struct DocumentedMetric {
-  std::string id, unit_and_direction;
+  std::string id, unit_and_direction, na;
 };
 
 /// The rows of the documentation's table of metrics.
@@ -52,7 +52,7 @@ std::vector<DocumentedMetric> documented_metrics() {
     if (line.rfind("| `", 0) != 0) continue;
     const auto cells = table_cells(line);
     for (const std::string& id : quoted_words(cells.at(0), '`'))
-      metrics.push_back({id, cells.at(3)});
+      metrics.push_back({id, cells.at(3), cells.at(5)});
   }
   return metrics;
 }
@@ -89,6 +89,13 @@ TEST(Metrics, AreListedInTheOrderOfTheDocumentation) {
     EXPECT_EQ(&metric(info.id), &candidate);
     EXPECT_TRUE(ids.insert(info.id).second) << "duplicate " << info.id;
   }
+}
+
+TEST(Metrics, OfRunsThatReachedTheGoalAreListedAsDocumented) {
+  for (const DocumentedMetric& documented : documented_metrics())
+    EXPECT_EQ(contains(reached_metric_ids(), documented.id),
+              contains(split(documented.na, ';'), "reached"))
+        << documented.id;
 }
 
 TEST(Metrics, RejectUnknownIdsWithTheMostSimilar) {

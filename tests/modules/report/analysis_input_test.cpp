@@ -43,13 +43,26 @@ TEST_F(AnalysisInput, AByteOrderMarkIsNotPartOfTheFirstName) {
             (std::vector<std::string>{"a", "b"}));
 }
 
-TEST_F(AnalysisInput, ColumnsOfTablesWithTheIdOfAMetricHaveItsRangeIfTheirValuesAllowIt) {
+TEST_F(AnalysisInput, ColumnsOfTablesWithTheIdOfAMetricHaveItsRange) {
   const std::string path = folder_ / "trials.csv";
-  write_file_atomically(path, "method,spl,optimality,cost\na,0.5,90,1.5\nb,0.9,85,2\n");
+  write_file_atomically(path, "method,spl,optimality,cost\na,0.5,90%,1.5\nb,0.9,85%,2\n");
   const ResultTable table = read_analysis_input(path, std::nullopt, false, {});
   EXPECT_EQ(range_notation(find_metric(table, "spl")->info().range), "0..1");
-  EXPECT_EQ(range_notation(find_metric(table, "optimality")->info().range), "..");  // percent
+  EXPECT_EQ(range_notation(find_metric(table, "optimality")->info().range), "0..1");
   EXPECT_EQ(range_notation(find_metric(table, "cost")->info().range), "..");
+  write_file_atomically(path, "method,optimality\na,90\n");
+  EXPECT_TRUE(throws_error(ErrorKind::File, path + ":2",
+                           {"'optimality' is 90", "in [0, 1]", "--range optimality="},
+                           [&] { read_analysis_input(path, std::nullopt, false, {}); }));
+}
+
+TEST_F(AnalysisInput, MetricsOfTheGoalAreNotAvailableInFailedRunsOfTables) {
+  const std::string path = folder_ / "trials.csv";
+  write_file_atomically(path, "success,time_to_goal,path_length,spl\n1,5,4,0.8\n0,60,3,0\n");
+  const ResultTable table = read_analysis_input(path, std::nullopt, false, {});
+  EXPECT_TRUE(find_metric(table, "time_to_goal")->is_na(1));
+  EXPECT_EQ(find_metric(table, "path_length")->number(1), 3);
+  EXPECT_EQ(find_metric(table, "spl")->number(1), 0);
 }
 
 TEST_F(AnalysisInput, EachOutcomeOfARunIsAWordOfTables) {
@@ -88,9 +101,9 @@ INSERT INTO runs VALUES (1, 1, 1, 0.5, 12.25, 1, 7, 100), (2, 1, 2, 0.75, 14, 1,
     successes += table.outcomes[table.outcome[i]] == "success" ? 1 : 0;
     second += table.repetition[i] == 1 ? 1 : 0;
   }
-  EXPECT_EQ(length, 12.25 + 14 + 11);
+  EXPECT_EQ(length, 12.25 + 11) << "of exact solutions";
   EXPECT_EQ(states, 1000);
-  EXPECT_EQ(missing, 1);
+  EXPECT_EQ(missing, 2);
   EXPECT_EQ(successes, 2) << "an approximate solution does not reach the goal";
   EXPECT_EQ(second, 1) << "of RRT in the maze";
 }

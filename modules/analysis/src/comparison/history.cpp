@@ -71,24 +71,6 @@ void correct_changes(std::vector<HistoryCurve>& curves) {
   for (std::size_t i = 0; i < changes.size(); ++i) *changes[i] = family[i];
 }
 
-/// The ends of the runs: outcomes, or where a table has none, "success" or "failure" by success.
-class RunEnds {
- public:
-  explicit RunEnds(const ResultTable& table)
-      : table_(table), success_(find_metric(table, "success")) {}
-
-  std::string operator()(std::size_t run) const {
-    const std::string& outcome = table_.outcomes[table_.outcome[run]];
-    if (outcome != kUnknownOutcome || success_ == nullptr || success_->is_na(run)) return outcome;
-    const double success = success_->number(run);
-    return success == 1 ? "success" : success == 0 ? "failure" : outcome;
-  }
-
- private:
-  const ResultTable& table_;
-  const ValueColumn* success_;
-};
-
 /// Runs of the last two results, paired by scenario hash, method and repetition.
 void add_changed_runs(History& history, const std::vector<ResultTable>& results,
                       const std::vector<std::string>& methods) {
@@ -98,17 +80,19 @@ void add_changed_runs(History& history, const std::vector<ResultTable>& results,
                table.repetition[run]};
   };
   const ResultTable &before = results[results.size() - 2], &now = results.back();
-  const RunEnds end_before(before), end_now(now);
+  const auto end_of = [](const ResultTable& table, std::size_t run) {
+    return table.outcomes[table.outcome[run]];
+  };
   std::map<Key, std::string> outcomes;
   for (std::size_t run = 0; run < before.size(); ++run)
-    outcomes[key_of(before, run)] = end_before(run);
+    outcomes[key_of(before, run)] = end_of(before, run);
   for (std::size_t run = 0; run < now.size(); ++run) {
     const Key key = key_of(now, run);
     const auto partner = outcomes.find(key);
     if (partner == outcomes.end() ||
         std::find(methods.begin(), methods.end(), std::get<1>(key)) == methods.end())
       continue;
-    const std::string outcome = end_now(run);
+    const std::string outcome = end_of(now, run);
     const bool is_told = outcome != kUnknownOutcome && partner->second != kUnknownOutcome;
     ++(is_told ? history.compared_runs : history.untold_runs);
     const ChangedRun changed{results.size() - 1, run, partner->second, outcome};

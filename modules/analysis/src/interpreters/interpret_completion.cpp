@@ -71,6 +71,9 @@ Interpretation interpret_completion(const std::vector<ResultTable>& results,
       add_curve(rows, curve.method, "kaplan_meier", curve.kaplan_meier, true, confidence);
       found.remarks.push_back(curve.method + ": " + std::to_string(curve.successes) + " of " +
                               count_text(curve.n, "run") + " reached the goal");
+      if (curve.untimed > 0)
+        found.remarks.push_back(curve.method + ": " + count_text(curve.untimed, "run") +
+                                " without a time, left out, also reached the goal");
       if (curve.unknown_end == 0) continue;
       found.remarks.push_back(curve.method + ": " + count_text(curve.unknown_end, "failed run") +
                               " of unknown duration, left out of kaplan_meier");

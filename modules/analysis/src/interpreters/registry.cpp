@@ -41,7 +41,7 @@ const std::vector<Interpreter>& all_interpreters() {
        interpret_completion,
        1,
        1,
-       {"time_to_goal"},
+       {"time_to_goal", "time"},
        {"path_length", "mean_speed"}},
       {"failures", "Count outcomes by method and by bin", interpret_failures},
       {"validity",

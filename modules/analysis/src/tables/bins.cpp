@@ -165,7 +165,7 @@ std::string Bin::label() const {
 RunValues::RunValues(const ResultTable& table, const std::string& id)
     : values_(find_descriptor(table, id)), scenario_(&table.scenario) {
   if (values_ != nullptr) return;
-  values_ = find_metric(table, id);
+  values_ = find_unconditional(table, id);
   scenario_ = nullptr;
   if (values_ != nullptr) return;
   require_readable(table, "rows", id);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/completion.h>
 #include <slalom/analysis/scenario_means.h>
+#include <slalom/core/error.h>
 
 #include <limits>
 #include <optional>
@@ -10,8 +11,10 @@ namespace {
 
 constexpr int kReachedGoal = 1, kFailed = 2, kCensored = 0;
 
-/// T = L / (L / T).
-std::optional<double> duration(const ResultTable& table, std::size_t run) {
+/// The time of a failure, as the table has it or T = L / (L / T).
+std::optional<double> duration(const ResultTable& table, const ValueColumn& times,
+                               std::size_t run) {
+  if (&times != find_metric(table, times.info().id) && !times.is_na(run)) return times.number(run);
   const ValueColumn* length = find_metric(table, "path_length");
   const ValueColumn* speed = find_metric(table, "mean_speed");
   if (length == nullptr || speed == nullptr) return std::nullopt;
@@ -25,16 +28,32 @@ std::vector<CurvePoint> complement(std::vector<CurvePoint> curve) {
   return curve;
 }
 
+void require_times(const ResultTable& table, const ValueColumn& times) {
+  if (find_metric(table, "success") == nullptr)
+    throw usage_error("completion", table.source + " has neither outcomes nor success",
+                      "a column success or outcome, or --outcome-column NAME");
+  if (times.info().is_rate())
+    throw usage_error("completion", "'" + times.info().id + "' is a rate",
+                      "--metric COLUMN of times");
+}
+
 }  // namespace
 
 std::vector<CompletionCurve> build_completion(const ResultTable& table, const std::string& time) {
   const ValueColumn& times = require_metric(table, time);
+  const ValueColumn& ends = *find_unconditional(table, time);
+  require_times(table, times);
   std::vector<CompletionCurve> curves(table.methods.size());
   std::vector<std::vector<TimedEnd>> competing(curves.size()), censored(curves.size());
   for (std::size_t run = 0; run < table.size(); ++run) {
     const std::uint32_t method = table.method[run];
-    const bool reached = !times.is_na(run);
-    if (!reached && !is_failure(table.outcomes[table.outcome[run]])) continue;
+    const std::string& outcome = table.outcomes[table.outcome[run]];
+    const bool reached = outcome == "success";
+    if (!reached && !is_failure(outcome)) continue;
+    if (reached && times.is_na(run)) {
+      ++curves[method].untimed;
+      continue;
+    }
     ++curves[method].n;
     if (reached) {
       ++curves[method].successes;
@@ -43,7 +62,7 @@ std::vector<CompletionCurve> build_completion(const ResultTable& table, const st
       continue;
     }
     // A failure of unknown time does not affect the incidence if it comes last.
-    const std::optional<double> end = duration(table, run);
+    const std::optional<double> end = duration(table, ends, run);
     competing[method].push_back({end.value_or(std::numeric_limits<double>::max()), kFailed});
     if (end) censored[method].push_back({*end, kCensored});
     if (!end) ++curves[method].unknown_end;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "csv_table.h"
+#include "run_ends.h"
 
 #include <slalom/analysis/cell.h>
 #include <slalom/analysis/csv_columns.h>
@@ -10,6 +11,7 @@
 #include <slalom/results/outcome_words.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -257,6 +259,9 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
   sort_names(columns);
 }
 
+/// A larger absolute value stands for a missing one: the largest float or double.
+constexpr double kMaxNumber = 3.4e38;
+
 /// The columns of numbers as metrics; the others with the reason.
 class NumberColumns {
  public:
@@ -268,11 +273,12 @@ class NumberColumns {
     const std::string id = id_of(csv_.header()[column]);
     const auto is_empty = [](const std::string& field) { return field.empty(); };
     if (id.empty() && std::all_of(fields.begin(), fields.end(), is_empty)) return;
-    const std::string why = id.empty()                           ? "no name"
-                            : find_metric(table_, id) != nullptr ? "a name that is there twice"
-                            : add_numbers(id, fields)            ? ""
-                            : text_row_ < fields.size()          ? text_reason(fields)
-                                                                 : "no numbers";
+    if (!id.empty() && find_metric(table_, id) != nullptr)
+      throw file_error(csv_.name() + ":1", "two columns of " + id, "each name once, in any case");
+    const std::string why = id.empty()                  ? "no name"
+                            : add_numbers(id, fields)   ? ""
+                            : text_row_ < fields.size() ? text_reason(fields)
+                                                        : "no numbers";
     if (!why.empty())
       table_.unread.emplace_back(id.empty() ? "column " + std::to_string(column + 1) : id, why);
     has_text_ = has_text_ || text_row_ < fields.size();
@@ -285,6 +291,8 @@ class NumberColumns {
     if (has_decimal_commas_) notes.emplace_back("commas are read as decimal points");
     if (!percent_.empty()) notes.push_back("percent as fractions of 1: " + join(percent_, ", "));
     if (!truth_.empty()) notes.push_back("words as 1 and 0: " + join(truth_, ", "));
+    if (!too_large_.empty())
+      notes.push_back("numbers from 3.4e38 as not available: " + join(too_large_, ", "));
     return notes;
   }
 
@@ -294,7 +302,7 @@ class NumberColumns {
   ResultTable& table_;
   std::size_t text_row_ = 0;  ///< of the last column
   bool has_text_ = false, has_decimal_commas_ = false;
-  std::vector<std::string> percent_, truth_;  ///< columns
+  std::vector<std::string> percent_, truth_, too_large_;  ///< columns
 
   /// "Success" is the metric success, unless that is a column of its own.
   std::string id_of(const std::string& name) const {
@@ -310,7 +318,7 @@ class NumberColumns {
   /// False if there are no numbers, or a field is text: text_row_.
   bool add_numbers(const std::string& id, const std::vector<std::string>& fields) {
     std::vector<Value> values;
-    bool any = false, commas = false, percent = false, truth = false;
+    bool any = false, commas = false, percent = false, truth = false, too_large = false;
     for (text_row_ = 0; text_row_ < fields.size(); ++text_row_) {
       const std::string& field = fields[text_row_];
       double number = 0;
@@ -319,7 +327,9 @@ class NumberColumns {
         continue;
       }
       if (!parse_field(field, csv_.separator(), number)) return false;
-      values.push_back(Value::of(number));
+      const bool is_sentinel = std::abs(number) > kMaxNumber;
+      values.push_back(is_sentinel ? Value::na(field) : Value::of(number));
+      too_large = too_large || is_sentinel;
       any = true;
       commas = commas || field.find(',') != std::string::npos;
       percent = percent || field.back() == '%';
@@ -328,6 +338,7 @@ class NumberColumns {
     if (!any) return false;
     if (percent) percent_.push_back(id);
     if (truth) truth_.push_back(id);
+    if (too_large) too_large_.push_back(id);
     has_decimal_commas_ = has_decimal_commas_ || commas;
     ValueColumn& column = table_.metrics.emplace_back(info_of(id, values));
     column.reserve(values.size());
@@ -387,13 +398,16 @@ class NumberColumns {
     }
   }
 
-  /// A rate is recognized by its values.
+  /// A rate is recognized by its values. A stated range takes the place of the known one.
   void take_known(QuantityInfo& info, const std::vector<Value>& values) const {
+    if (options_.ranges.count(info.id) > 0) return;
     for (const QuantityInfo& known : options_.known) {
-      const auto possible = [&](double number) { return known.range.contains(number); };
-      if (known.id != info.id || known.is_rate() || first_refused(values, possible) < values.size())
-        continue;
-      info.kind = known.kind;
+      if (known.id != info.id) continue;
+      require(info.id, values,
+              (known.is_rate() ? "0 or 1" : "a number " + known.range.text()) + ", or --range " +
+                  info.id + "=LOW..HIGH for a quantity that is not Slalom's",
+              [&](double number) { return known.range.contains(number); });
+      if (!known.is_rate()) info.kind = known.kind;
       info.range = known.range;
     }
   }
@@ -413,13 +427,19 @@ std::vector<std::pair<std::string, std::string>> assignments(const std::string& 
   return pairs;
 }
 
-/// Throws Error (Usage) for a statement about a column that is no metric.
-template <typename Statements>
+template <typename Statement>
+std::vector<std::string> keys_of(const std::map<std::string, Statement>& statements) {
+  std::vector<std::string> ids;
+  for (const auto& [id, statement] : statements) ids.push_back(id);
+  return ids;
+}
+
+/// Throws Error (Usage) for an option about a column that is no metric.
 void require_columns(const ResultTable& table, const std::string& option,
-                     const Statements& statements) {
+                     const std::vector<std::string>& ids) {
   std::vector<std::string> names;
   for (const ValueColumn& column : table.metrics) names.push_back(column.info().id);
-  for (const auto& [id, statement] : statements) {
+  for (const std::string& id : ids) {
     require_readable(table, option, id);
     if (!contains(names, id))
       throw usage_error(option, table.source + " has no column of numbers " + shown(id),
@@ -435,8 +455,8 @@ std::string unread_text(const ResultTable& table) {
 
 /// Returns notes on columns that were not read as they stand.
 void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& numbers,
-               std::vector<std::string> parts) {
-  if (!keys.renamed().empty()) parts.push_back("taken: " + join(keys.renamed(), ", "));
+               const std::vector<std::string>& taken, std::vector<std::string> parts) {
+  if (!taken.empty()) parts.push_back("taken: " + join(taken, ", "));
   if (!table.unread.empty()) parts.push_back("not used: " + unread_text(table));
   if (numbers.has_text() && keys.method == nullptr)
     parts.emplace_back("no column method (--method-column): all rows are of one method, 'all'");
@@ -481,17 +501,33 @@ ResultTable columns_from_csv(const std::string& text, const std::string& name,
   NumberColumns numbers(csv, options, columns);
   for (std::size_t i = 0; i < csv.header().size(); ++i)
     if (!keys.is_key(i)) numbers.add(i);
-  if (keys.outcome != nullptr) add_success(columns);
+  std::vector<std::string> taken = keys.renamed();
+  for (const std::string& end : complete_outcomes(columns, csv, keys.outcome != nullptr))
+    taken.push_back(end);
   if (columns.metrics.empty())
     throw file_error(name, "no numeric columns: " + unread_text(columns),
                      "a header line and rows of numbers");
-  require_columns(columns, "--kind", options.kinds);
-  require_columns(columns, "--range", options.ranges);
+  require_columns(columns, "--kind", keys_of(options.kinds));
+  require_columns(columns, "--range", keys_of(options.ranges));
+  require_columns(columns, "--unconditional", options.unconditional);
   std::vector<std::string> notes;
   if (csv.separator() == ' ') notes.emplace_back("separated by blanks");
   if (const std::string note = outcomes.note(); !note.empty()) notes.push_back(note);
-  add_notes(columns, keys, numbers, std::move(notes));
+  if (const auto ids = make_conditional(columns, options); !ids.empty())
+    notes.push_back("not available in runs that failed: " + join(ids, ", ") + " (--unconditional)");
+  add_notes(columns, keys, numbers, taken, std::move(notes));
   return columns;
+}
+
+void unify_kinds(std::vector<ResultTable>& tables) {
+  for (const ResultTable& table : tables)
+    for (const ValueColumn& column : table.metrics) {
+      if (column.info().is_rate()) continue;
+      for (ResultTable& other : tables)
+        for (ValueColumn& same : other.metrics)
+          if (same.info().id == column.info().id && same.info().is_rate())
+            same.set_kind(column.info().kind, column.info().range);
+    }
 }
 
 }  // namespace slalom

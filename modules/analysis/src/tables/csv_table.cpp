@@ -3,9 +3,11 @@
 
 #include <slalom/analysis/table_export.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -101,6 +103,7 @@ CsvTable::CsvTable(const std::string& content, const std::string& name,
   separator_ = separator_of(text, header_.size());
   CsvRecords records(text, separator_);
   if (has_header_) read_header(records.next());
+  refuse_duplicate_names();
   fields_.resize(header_.size());
   while (!records.at_end()) {
     const std::size_t line = records.line();
@@ -124,6 +127,14 @@ void CsvTable::read_header(const std::vector<std::string>& record) {
     throw file_error(name_ + ":1", "line 1 has only numbers",
                      "names of columns; for a table without them --names NAME,... with " +
                          count_text(header_.size(), "name"));
+}
+
+void CsvTable::refuse_duplicate_names() const {
+  std::set<std::string> names;
+  for (const std::string& id : header_)
+    if (!id.empty() && !names.insert(id).second)
+      throw file_error(has_header_ ? name_ + ":1" : "--names",
+                       "duplicate column '" + printable_line(id) + "'", "each name once");
 }
 
 void CsvTable::add(const std::vector<std::string>& record, std::size_t line) {

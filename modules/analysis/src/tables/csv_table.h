@@ -34,6 +34,7 @@ class CsvTable {
   std::vector<std::size_t> lines_;
 
   void read_header(const std::vector<std::string>& record);
+  void refuse_duplicate_names() const;
   void add(const std::vector<std::string>& record, std::size_t line);
 };
 

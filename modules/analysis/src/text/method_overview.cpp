@@ -52,14 +52,24 @@ std::string verb_of(const std::string& outcome) {
   if (outcome == "stuck") return "gets stuck";
   if (outcome == "timeout") return "times out";
   if (outcome == "left_workspace") return "leaves the workspace";
+  if (outcome == "failure") return "fails";
   return "ends with " + outcome;
 }
 
-/// "it gets stuck in 20 %, never collides"; empty if all runs succeed.
-std::string outcome_clause(const MethodSummary& method) {
+/// Whether the runs of a method are known to end otherwise: the table tells collisions from other
+/// ends, and has the kind of each end.
+bool never_collides(const MethodSummary& method, const ResultTable& table) {
+  for (const char* end : {"collision", "failure", kUnknownOutcome})
+    if (method.outcomes.count(end) > 0) return false;
+  return !table.manifest.empty() || contains(table.outcomes, std::string("collision"));
+}
+
+/// "it gets stuck in 20 %, never collides"; empty if no run is known to fail.
+std::string outcome_clause(const MethodSummary& method, const ResultTable& table) {
   std::vector<std::pair<std::size_t, std::string>> failures;
   for (const auto& [outcome, n] : method.outcomes)
-    if (outcome != kSuccess && n > 0) failures.emplace_back(n, outcome);
+    if (outcome != kSuccess && outcome != kUnknownOutcome && n > 0)
+      failures.emplace_back(n, outcome);
   if (failures.empty()) return "";
   std::stable_sort(failures.begin(), failures.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -67,7 +77,7 @@ std::string outcome_clause(const MethodSummary& method) {
   for (const auto& [n, outcome] : failures)
     parts.push_back(verb_of(outcome) + " in " +
                     percent(static_cast<double>(n) / static_cast<double>(method.n)));
-  if (method.outcomes.count("collision") == 0) parts.emplace_back("never collides");
+  if (never_collides(method, table)) parts.emplace_back("never collides");
   return "it " + join(parts, ", ");
 }
 
@@ -256,7 +266,7 @@ std::vector<MethodOverview> build_overview(const ResultTable& table,
     std::vector<std::string> clauses = {success_clause(method)};
     for (const CrossTable& cross : tables)
       if (cross.method == method.method) clauses.push_back(trend_clause(cross));
-    clauses.push_back(outcome_clause(method));
+    clauses.push_back(outcome_clause(method, table));
     for (std::string& clause : difference_clauses(method.method, family))
       clauses.push_back(std::move(clause));
     clauses.push_back(identical_clause(method.method, family));

@@ -217,7 +217,7 @@ constexpr const char* kNamedOrder = "a line '# id frame x y' before lines in thi
 /// The fields of lines of numbers.
 struct FrameFields {
   std::size_t count = 0, frame = 0, id = 1, x = 2, y = 3;
-  double scale = 1;  ///< m
+  double per_meter = 1;  ///< units of x and y
   bool is_named = false;
   std::optional<std::pair<std::size_t, std::size_t>> velocity = std::nullopt;
 };
@@ -243,7 +243,7 @@ std::optional<FrameFields> named_order(const std::string& header, const TextLine
       {"agent_id", "id"},    {"track_id", "id"},  {"frame", "frame"}, {"fr", "frame"},
       {"frame_id", "frame"}, {"x", "x"},          {"y", "y"}};
   static const std::map<std::string, double> kLengthUnits = {
-      {"", 1}, {"m", 1}, {"cm", 0.01}, {"mm", 1e-3}};
+      {"", 1}, {"m", 1}, {"cm", 100}, {"mm", 1000}};
   std::string names = header.substr(std::min(header.find_first_not_of("# \t"), header.size()));
   for (std::size_t i = names.size(); i-- > 1;)  // "x [m]" is one name
     if ((names[i] == '[' || names[i] == '(') && names[i - 1] == ' ') names.erase(i - 1, 1);
@@ -344,7 +344,7 @@ void read_frames(std::string line, TextLines& lines, const std::string& where,
     if (n[order.id] != std::round(n[order.id]) || std::abs(n[order.id]) > 1e9)
       throw lines.error("invalid id in field " + std::to_string(order.id + 1), "an integer");
     const std::string id = std::to_string(std::lround(n[order.id]));
-    const double x = n[order.x] * order.scale, y = n[order.y] * order.scale;
+    const double x = n[order.x] / order.per_meter, y = n[order.y] / order.per_meter;
     if (!order.is_named && !order.velocity) field_order.add(n[order.frame], n[order.id], {x, y});
     if (order.velocity)
       frames.add(id, n[order.frame], x, y, options.radius,

@@ -98,7 +98,7 @@ TEST(Sim2Real, MoreTrialsNarrowTheIntervals) {
 
 TEST(Sim2Real, ComparesTheSameScenariosWithTheWeightsOfTheRealRuns) {
   const std::string simulated =
-      "scenario,method,success,time_to_goal\nroom,a,1,10\nroom,a,1,12\nhall,a,0,20\nroom,b,1,8\n"
+      "scenario,method,success,time_to_goal\nroom,a,1,10\nroom,a,1,12\nhall,a,1,20\nroom,b,1,8\n"
       "hall,b,1,14\nyard,a,1,999\n";
   // a: two trials in the room, one in the hall.
   const Sim2Real result =

@@ -4,6 +4,7 @@
 
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/analysis/completion.h>
+#include <slalom/analysis/csv_columns.h>
 #include <slalom/analysis/descriptor_map.h>
 #include <slalom/analysis/failure_taxonomy.h>
 #include <slalom/analysis/interpreter.h>
@@ -370,6 +371,37 @@ TEST(Interpreter, CompletionEndsAtTheSuccessRate) {
   EXPECT_NEAR(curves[0].incidence.back().value, 4 / 6.0, 1e-12);
   EXPECT_NEAR(curves[0].kaplan_meier.back().value, 1, 1e-12);  // the others are censored at 5 s
   EXPECT_NEAR(curves[1].incidence.back().value, 1, 1e-12);
+}
+
+TEST(Interpreter, CompletionOfATableCountsArrivalsOnly) {
+  // Collisions at 3 s and 4 s are competing ends, the time limit at 100 s comes after the arrival.
+  const std::string rows[] = {"outcome,time\nsuccess,10\ncollision,4\ntimeout,100\ncollision,3\n",
+                              "success,time\n1,10\n0,4\n0,100\n0,3\n"};
+  for (const std::string& text : rows) {
+    const ResultTable table = columns_from_csv(text, "t.csv");
+    const CompletionCurve curve = build_completion(table, "time").at(0);
+    EXPECT_EQ(curve.n, 4u);
+    EXPECT_EQ(curve.successes, 1u);
+    EXPECT_EQ(curve.unknown_end, 0u);
+    for (const CurvePoint& point : curve.incidence)
+      EXPECT_EQ(point.value, point.time < 10 ? 0 : 0.25) << point.time;
+    // Of the two runs that are not yet censored at 10 s one arrives.
+    EXPECT_EQ(curve.kaplan_meier.back().value, 0.5);
+  }
+  const ResultTable gap = columns_from_csv("success,time\n1,10\n1,NA\n,7\n", "t.csv");
+  EXPECT_EQ(build_completion(gap, "time")[0].untimed, 1u);
+  EXPECT_EQ(build_completion(gap, "time")[0].n, 1u) << "the end of the last is not known";
+}
+
+TEST(Interpreter, CompletionNeedsEndsAndTimes) {
+  for (const char* text : {"method,time\na,10\n", "collided,time\n0,10\n1,4\n"})
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, "completion",
+                             {"t.csv has neither outcomes nor success", "--outcome-column"},
+                             [&] { build_completion(columns_from_csv(text, "t.csv"), "time"); }))
+        << text;
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, "completion", {"'success' is a rate", "--metric COLUMN of times"},
+      [] { build_completion(columns_from_csv("success\n1\n0\n", "t.csv"), "success"); }));
 }
 
 Manifest campaign(const std::string& sigma) {

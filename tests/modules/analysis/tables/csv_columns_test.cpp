@@ -155,7 +155,7 @@ TEST(CsvColumns, AnUnknownOutcomeIsRefusedWithAllThatAreUnknown) {
 
 TEST(CsvColumns, KeysHaveOtherNamesElsewhere) {
   const ResultTable table = columns_from_csv(
-      "Local Planner,world,trial,result,time\ndwa,w1,1,Succeeded,5\nteb,w1,1,Collided,6\n",
+      "Local Planner,world,trial,result,cost\ndwa,w1,1,Succeeded,5\nteb,w1,1,Collided,6\n",
       "t.csv");
   EXPECT_EQ(table.methods, (std::vector<std::string>{"dwa", "teb"}));
   EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"w1"}));
@@ -285,9 +285,187 @@ TEST(CsvColumns, AColumnWithTextIsMissedWithItsLine) {
     const ResultTable shown = columns_from_csv("method,success,time\na,1,5\na,0,DNF\n", "t.csv");
     build_cross_tables(shown, parse_bin_specs("time:2"), {"success"}, {});
   }));
-  EXPECT_TRUE(mentions(notes_of(columns_from_csv(",a,a,b,c\n0,1,2,inf,\n", "t.csv")),
-                       {"column 1 (no name)", "a (a name that is there twice)", "b (no numbers)",
-                        "c (no numbers)"}));
+  EXPECT_TRUE(mentions(notes_of(columns_from_csv(",a,b,c\n0,1,inf,\n", "t.csv")),
+                       {"column 1 (no name)", "b (no numbers)", "c (no numbers)"}));
+}
+
+TEST(CsvColumns, TwoColumnsOfOneNameAreRefused) {
+  for (const char* text : {"a,b,a\n1,2,3\n", "method,a,method\nx,1,y\n", "note,a,note\nx,1,y\n"})
+    EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:1", {"duplicate column", "each name once"},
+                             [&] { columns_from_csv(text, "t.csv"); }))
+        << text;
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:1", {"two columns of success"},
+                           [] { columns_from_csv("Success,SUCCESS\n1,0\n", "t.csv"); }));
+  CsvColumnOptions options;
+  options.names = {"a", "a"};
+  EXPECT_TRUE(throws_error(ErrorKind::File, "--names", {"duplicate column 'a'"},
+                           [&] { columns_from_csv("1,2\n", "t.csv", options); }));
+}
+
+CsvColumnOptions with_known() {
+  CsvColumnOptions options;
+  options.known = {success_info(),
+                   {"optimality", 3, "Optimality", "-", Direction::Up, QuantityKind::Ratio,
+                    Range::between(0, 1)},
+                   {"mean_speed", 2, "Mean speed", "m/s", Direction::Up, QuantityKind::Amount,
+                    Range::at_least(0)},
+                   {"time_to_goal", 1, "Time to goal", "s", Direction::Down, QuantityKind::Amount,
+                    Range::at_least(0)}};
+  options.known_conditional = {"optimality", "time_to_goal"};
+  return options;
+}
+
+TEST(CsvColumns, AValueOutsideTheRangeOfAKnownIdIsRefused) {
+  EXPECT_TRUE(throws_error(
+      ErrorKind::File, "t.csv:3", {"'success' is 4", "expected 0 or 1", "--range success="},
+      [] { columns_from_csv("method,success\na,1\nTotal,4\n", "t.csv", with_known()); }));
+  EXPECT_TRUE(throws_error(
+      ErrorKind::File, "t.csv:2", {"'optimality' is -3", "expected a number in [0, 1]"},
+      [] { columns_from_csv("method,optimality\na,-3\n", "t.csv", with_known()); }));
+  CsvColumnOptions options = with_known();
+  options.ranges = parse_column_ranges("optimality=-5..5");
+  const ResultTable table = columns_from_csv("method,optimality\na,-3\n", "t.csv", options);
+  EXPECT_EQ(table.metrics.at(0).number(0), -3) << "a quantity of another program";
+  EXPECT_EQ(range_notation(table.metrics.at(0).info().range), "-5..5");
+}
+
+TEST(CsvColumns, TheLargestNumbersStandForMissingOnes) {
+  const ResultTable table = columns_from_csv(
+      "cost,a\n1.7976931348623157e+308,1\n-3.4028235e38,2\n1e37,3\n4,4\n", "t.csv");
+  const ValueColumn& cost = *find_metric(table, "cost");
+  EXPECT_EQ(cost.reason(0), "1.7976931348623157e+308");
+  EXPECT_TRUE(cost.is_na(1));
+  EXPECT_EQ(cost.number(2), 1e37);
+  EXPECT_EQ(notes_of(table), "numbers from 3.4e38 as not available: cost");
+}
+
+std::vector<std::string> outcomes_of(const ResultTable& table) {
+  std::vector<std::string> outcomes;
+  for (const std::uint32_t index : table.outcome) outcomes.push_back(table.outcomes[index]);
+  return outcomes;
+}
+
+TEST(CsvColumns, ColumnsOfEndsAreOutcomes) {
+  const ResultTable table = columns_from_csv(
+      "success,Static Collisions,timed_out,isStuck\n1,0,0,0\n0,1,0,0\n0,0,1,0\n0,0,0,0\n", "t.csv");
+  EXPECT_EQ(outcomes_of(table),
+            (std::vector<std::string>{"success", "collision", "timeout", "failure"}));
+  EXPECT_EQ(table.outcomes,
+            (std::vector<std::string>{"success", "collision", "failure", "stuck", "timeout"}))
+      << "also an end that no run has";
+  EXPECT_EQ(notes_of(table),
+            "taken: Static Collisions as collision, timed_out as timeout, isStuck as stuck");
+  EXPECT_EQ(find_metric(table, "timed_out")->number(2), 1) << "still a rate";
+  EXPECT_EQ(outcomes_of(columns_from_csv("Goal Reached,crash\nyes,0\nno,0\n", "t.csv")),
+            (std::vector<std::string>{"success", "failure"}));
+}
+
+TEST(CsvColumns, OtherNamesAndNumbersAreNoEnds) {
+  for (const char* text :
+       {"collisions,a\n0,1\n2,1\n", "no_collision,a\n1,1\n0,1\n", "num_collisions,a\n1,1\n0,1\n",
+        "time_to_collision,a\n1,1\n0,1\n", "contacts,a\n1,1\n0,1\n"})
+    EXPECT_EQ(outcomes_of(columns_from_csv(text, "t.csv")),
+              std::vector<std::string>(2, kUnknownOutcome))
+        << text;
+  CsvColumnOptions options;
+  options.kinds = parse_column_kinds("collisions=count");
+  EXPECT_EQ(outcomes_of(columns_from_csv("success,collisions\n1,1\n0,1\n", "t.csv", options)),
+            (std::vector<std::string>{"success", "failure"}));
+}
+
+TEST(CsvColumns, WithoutSuccessOnlyEndsThatAreStatedAreKnown) {
+  const ResultTable table = columns_from_csv("collided,a\n1,5\n0,6\n", "t.csv");
+  EXPECT_EQ(outcomes_of(table), (std::vector<std::string>{"collision", kUnknownOutcome}));
+  EXPECT_EQ(find_metric(table, "success"), nullptr) << "it is not known";
+}
+
+TEST(CsvColumns, EndsThatContradictEachOtherAreRefused) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"outcome,success\nsuccess,1\ncollision,1\n", "the outcome is collision, but 'success' is 1"},
+      {"outcome,success\ntimeout,0\nReached,0\n", "the outcome is success, but 'success' is 0"},
+      {"outcome,timeout\nsuccess,0\ncollided,1\n", "the outcome is collision, but 'timeout' is 1"},
+      {"success,collided\n1,0\n1,1\n", "'success' is 1, but 'collided' is 1"},
+      {"collided,timeout\n1,0\n1,1\n", "'collided' is 1, but 'timeout' is 1"}};
+  for (const auto& [text, message] : cases)
+    EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {message, "one end of each run"},
+                             [text = text] { columns_from_csv(text, "t.csv"); }))
+        << text;
+  EXPECT_EQ(
+      outcomes_of(columns_from_csv(
+          "outcome,success,failed,collided\naborted,0,1,1\n,1,0,0\nunsolvable_scenario,0,0,0\n",
+          "t.csv")),
+      (std::vector<std::string>{"collision", "success", "unsolvable_scenario"}));
+}
+
+TEST(CsvColumns, TimesAndLengthsOfFailedRunsAreNotAvailable) {
+  const ResultTable table = columns_from_csv(
+      "success,collided,time,spl,clearance,planning_time,distance_to_goal\n"
+      "1,0,9,0.5,1,2,0\n0,1,4,0,0,3,5\n0,0,60,0,2,4,6\n,0,7,0,2,4,6\n",
+      "t.csv");
+  const ValueColumn& time = *find_metric(table, "time");
+  EXPECT_EQ(time.number(0), 9);
+  EXPECT_EQ(time.reason(1), "outcome: collision");
+  EXPECT_EQ(time.reason(2), "outcome: failure");
+  EXPECT_EQ(time.number(3), 7) << "its end is not known";
+  EXPECT_EQ(find_unconditional(table, "time")->number(1), 4);
+  for (const char* id : {"spl", "clearance", "planning_time", "distance_to_goal"})
+    for (std::size_t run = 0; run < 4; ++run)
+      EXPECT_FALSE(find_metric(table, id)->is_na(run)) << id;
+  EXPECT_TRUE(mentions(notes_of(table), {"not available in runs that failed: time"}));
+}
+
+bool is_conditional(const std::string& name) {
+  const ResultTable table =
+      columns_from_csv("success," + name + "\n1,0.9\n0,0.3\n", "t.csv", with_known());
+  return find_metric(table, name)->is_na(1);
+}
+
+TEST(CsvColumns, NamesOfMeasuresUpToTheEndOfARunAreConditional) {
+  for (const char* name : {"Time (s)", "travelTime", "duration", "elapsed [s]", "arrival_s",
+                           "path length", "distance", "distance_travelled", "avg_speed",
+                           "Smoothness", "total_jerk", "optimality", "time_to_goal"})
+    EXPECT_TRUE(is_conditional(name)) << name;
+  for (const char* name :
+       {"cost", "min_distance", "distance to goal", "max_time", "cpu_time", "speed_limit", "width",
+        "mean_speed", "optimal_length", "collision_time", "scenario.shortest_length"})
+    EXPECT_FALSE(is_conditional(name)) << name;
+}
+
+TEST(CsvColumns, APropertyOfScenariosIsNotConditional) {
+  const std::string text = "world,method,success,length\nw1,a,1,5\nw1,b,0,5\nw2,a,0,7\nw2,b,0,7\n";
+  const ResultTable table = columns_from_csv(text, "t.csv");
+  for (std::size_t run = 0; run < 4; ++run)
+    EXPECT_FALSE(find_metric(table, "length")->is_na(run)) << run;
+  EXPECT_TRUE(find_metric(columns_from_csv("world,success,time\nw,0,60\nw,0,60\n", "t.csv"), "time")
+                  ->is_na(0))
+      << "only time limits";
+}
+
+TEST(CsvColumns, ColumnsCanBeStatedToCountInFailedRuns) {
+  CsvColumnOptions options;
+  options.unconditional = {"time"};
+  const std::string text = "success,time\n1,5\n0,3\n";
+  EXPECT_EQ(find_metric(columns_from_csv(text, "t.csv", options), "time")->number(1), 3);
+  options.unconditional = {"tiem"};
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--unconditional", {"'tiem'", "'time'"},
+                           [&] { columns_from_csv(text, "t.csv", options); }));
+}
+
+TEST(CsvColumns, BinsOverATimeHaveAllRuns) {
+  const ResultTable table = columns_from_csv("success,time\n1,5\n0,3\n0,4\n", "t.csv");
+  const auto cross = build_cross_tables(table, parse_bin_specs("time:0,4.5,9"), {"success"}, {})[0];
+  EXPECT_EQ(cross.rows[0].n, 2u) << "failed runs";
+  EXPECT_EQ(*cross.rows[0].cells[0].estimate, 0);
+}
+
+TEST(CsvColumns, AColumnIsARateOnlyIfItIsOneInAllTables) {
+  std::vector<ResultTable> tables = {columns_from_csv("contacts,ok\n0,1\n1,0\n", "a.csv"),
+                                     columns_from_csv("contacts,ok\n0,1\n2,0\n", "b.csv")};
+  unify_kinds(tables);
+  for (const ResultTable& table : tables) {
+    EXPECT_FALSE(find_metric(table, "contacts")->info().is_rate()) << table.source;
+    EXPECT_TRUE(find_metric(table, "ok")->info().is_rate()) << table.source;
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result_fixture.h"
 
+#include <slalom/analysis/csv_columns.h>
 #include <slalom/analysis/method_overview.h>
 
 #include <gtest/gtest.h>
@@ -115,6 +116,24 @@ TEST(MethodOverview, ShowsFailuresInScenariosThatNoOtherMethodHasRun) {
   const auto overview = overview_of(fixture.table);
   ASSERT_EQ(overview[0].failures.size(), 1u);
   EXPECT_EQ(overview[0].failures[0].why, "collision");
+}
+
+std::string sentence_of(const std::string& text) {
+  const ResultTable table = columns_from_csv(text, "t.csv");
+  const auto overview = build_overview(table, {}, {}, {});
+  return overview.empty() ? "" : overview[0].sentence;
+}
+
+TEST(MethodOverview, SpeaksOfCollisionsOnlyIfTheyAreKnown) {
+  // Wilson's interval of 1 in 2 is [0.095, 0.905].
+  const std::string half = "all succeeds in 50 % [9, 91] of 2 runs";
+  EXPECT_EQ(sentence_of("success\n1\n0\n"), half + "; it fails in 50 %");
+  EXPECT_EQ(sentence_of("outcome\nsuccess\ntimeout\n"), half + "; it times out in 50 %");
+  EXPECT_EQ(sentence_of("success,collided,timeout\n1,0,0\n0,1,0\n"),
+            half + "; it collides in 50 %");
+  EXPECT_EQ(sentence_of("success,collided,timeout\n1,0,0\n0,0,1\n"),
+            half + "; it times out in 50 %, never collides");
+  EXPECT_EQ(sentence_of("collided,time\n0,5\n1,4\n"), "") << "success is not known";
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(MoversFile, ALineOfNamesStatesTheOrderOfItsFields) {
         "# id frame x [m] y [m]\n1 5 0 2\n1 6 0.1 2\n2 5 7 8\n2 6 7.1 8\n",
         "PersID Frame x y\n1 5 0 2\n1 6 0.1 2\n2 5 7 8\n2 6 7.1 8\n",
         "# frame id x y\n5 1 0 2\n5 2 7 8\n6 1 0.1 2\n6 2 7.1 8\n",
-        "# id,frame,x/cm,y/cm\n1,5,0,200\n1,6,10,200\n2,5,700,800\n2,6,710,800\n"})
+        "# id,frame,x/mm,y/mm\n1,5,0,2000\n1,6,100,2000\n2,5,7000,8000\n2,6,7100,8000\n"})
     EXPECT_EQ(movers_from_text(text, "f", options), expected) << text;
   EXPECT_TRUE(refuses("# id frame x/ft y/ft\n1 5 0 2\n", "f:2: unknown unit of x and y", options));
   EXPECT_TRUE(refuses("# id frame x y x\n1 5 0 2 3\n", "f:2: two columns of 'x'", options));

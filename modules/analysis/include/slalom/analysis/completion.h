@@ -15,6 +15,7 @@ struct CompletionCurve {
   std::size_t n = 0;  ///< runs that are informative about the method
   std::size_t successes = 0;
   std::size_t unknown_end = 0;  ///< failed runs of unknown duration, excluded from `kaplan_meier`
+  std::size_t untimed = 0;      ///< runs that reached the goal at an unknown time, left out
   /// Cumulative incidence of reaching the goal (Aalen and Johansen), with failures as competing
   /// risks: the curve ends at the success rate. The recommended estimate.
   std::vector<CurvePoint> incidence;
@@ -23,9 +24,10 @@ struct CompletionCurve {
   std::vector<CurvePoint> kaplan_meier;
 };
 
-/// Curves of every method over the metric `time` ("time_to_goal"), which is available for runs that
-/// reached the goal. The duration of a failed run is path_length / mean_speed, if both are
-/// available.
+/// Curves of every method over the metric `time` ("time_to_goal") of runs with the outcome success.
+/// The duration of a failed run is this time in a foreign table, else path_length / mean_speed, if
+/// both are available. Throws Error (Usage) for a table without outcomes and success, and for a
+/// rate as the time.
 std::vector<CompletionCurve> build_completion(const ResultTable& table, const std::string& time);
 
 }  // namespace slalom

@@ -17,8 +17,12 @@ struct CsvColumnOptions {
   /// Stated kinds and ranges of columns, which all values must have.
   std::map<std::string, QuantityKind> kinds = {};
   std::map<std::string, Range> ranges = {};
-  /// Columns with these ids have their kind and range, unless a value is outside.
+  /// Columns with these ids have their kind and range, unless others are stated.
   std::vector<QuantityInfo> known = {};
+  /// Known columns that are NA in runs that failed; of others the name decides.
+  std::vector<std::string> known_conditional = {};
+  /// Columns that are as they stand in runs that failed.
+  std::vector<std::string> unconditional = {};
   /// Names of the columns of a table without a header line; empty: it has one.
   std::vector<std::string> names = {};
   /// Outcomes that mean success, in any case; with one, unknown outcomes are failures.
@@ -37,12 +41,21 @@ std::map<std::string, Range> parse_column_ranges(const std::string& text);
 /// same scenario and method are its repetitions in their order.
 ///
 /// All other columns of numbers are metrics; true and false are 1 and 0, "85%" is 0.85, and words
-/// such as "", "NA", "None" and "inf" are not available, with the word as the reason. A column that
-/// contains only 0 and 1 is a rate, unless another kind is stated. Columns with other text are in
-/// `unread`; what was taken as what is in `notes`. Throws Error (File), with the line, for a row
-/// with a wrong number of fields, for a first line of numbers and for an unknown outcome, and if
-/// there are no rows or no numbers.
+/// such as "", "NA", "None" and "inf" are not available, with the word as the reason, as are
+/// numbers from 3.4e38. A column that contains only 0 and 1 is a rate, unless another kind is
+/// stated. Rates such as "collided" and "timeout", and "success", are outcomes, too. Times, lengths
+/// and the like are NA in runs that failed, and complete in `unconditional`. Columns with other
+/// text are in `unread`; what was taken as what is in `notes`.
+///
+/// Throws Error (File), with the line, for a row with a wrong number of fields, for a first line of
+/// numbers, for two columns of one name, for a value outside the range of a known id, for an
+/// unknown outcome and for outcomes that contradict each other, and if there are no rows or no
+/// numbers.
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options = {});
+
+/// Decides the kind of each column over all tables: a column of 0 and 1 is a rate only if it is one
+/// in all tables that have it.
+void unify_kinds(std::vector<ResultTable>& tables);
 
 }  // namespace slalom

@@ -61,6 +61,8 @@ struct Metric {
 /// All metrics, in the order of definitions.md; the table is in registry.cpp.
 const std::vector<Metric>& all_metrics();
 std::vector<std::string> metric_ids();  ///< of all of them
+/// Metrics that are NA unless the run reached the goal.
+const std::vector<std::string>& reached_metric_ids();
 
 /// The metric with this id; throws Error (Usage) with the most similar id.
 const Metric& metric(const std::string& id);

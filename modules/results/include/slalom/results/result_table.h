@@ -36,6 +36,10 @@ class ValueColumn {
 
   /// Reorders rows: row i gets the value of row order[i].
   void reorder(const std::vector<std::size_t>& order);
+  /// Replaces the value of a row.
+  void set_na(std::size_t row, const std::string& reason);
+  /// States another kind of the same values, with its range.
+  void set_kind(QuantityKind kind, const Range& range);
 
   /// Measured wall-clock time: not repeatable.
   bool wall_clock = false;
@@ -45,6 +49,8 @@ class ValueColumn {
   std::vector<double> numbers_;
   std::vector<std::string> reasons_;
   std::map<std::string, std::uint32_t> indexes_;  ///< into reasons_, by reason
+
+  double na_number(const std::string& reason);
 };
 
 /// A column for a wall-clock figure.
@@ -69,6 +75,9 @@ struct ResultTable {
   std::vector<std::uint32_t> scenario, method, outcome, repetition;  ///< one per run
   std::vector<ValueColumn> metrics;                                  ///< one value per run
   std::vector<ValueColumn> descriptors;                              ///< one value per scenario
+  /// Metrics of a foreign table that are NA in failed runs, with the values of these runs, too: the
+  /// time of a failure, or what says nothing about performance. One value per run.
+  std::vector<ValueColumn> unconditional;
   std::vector<RunDetails> details;  ///< one per run, or none if they were not read
   /// What was damaged in the file and is therefore missing: "run 0123abcd/nd/0". The descriptors of
   /// a damaged scenario are NA.
@@ -107,6 +116,8 @@ void sort_rows(ResultTable& columns);
 /// Null if there is none.
 const ValueColumn* find_metric(const ResultTable& columns, const std::string& id);
 const ValueColumn* find_descriptor(const ResultTable& columns, const std::string& id);
+/// The metric with the values of failed runs, too, if the table has them.
+const ValueColumn* find_unconditional(const ResultTable& columns, const std::string& id);
 
 /// Puts the mark behind the names of those methods, so that all that is made of the table shows it.
 /// Ids of runs, names of files and random streams of tables have the names without it.
