@@ -16,10 +16,10 @@ endif()
 
 find_program(SLALOM_CCACHE ccache)
 if(SLALOM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # The first is required by ccache for precompiled headers; by the second, builds in several folders share objects; by the
-  # third, sources that are not in the cache are not preprocessed twice.
+  # The first is required by ccache for precompiled headers; by the second, builds in several folders share objects (not
+  # with CCACHE_DEPEND: units name their sources by absolute paths).
   set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_DEPEND=1 ${SLALOM_CCACHE})
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${SLALOM_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
