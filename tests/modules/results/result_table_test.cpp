@@ -72,6 +72,22 @@ TEST(ResultTable, KeepRunsAndScenariosTogetherWhenSorted) {
   EXPECT_EQ(run_id(table, 0), "01234567/b/0");
 }
 
+TEST(ResultTable, ValuesOfFailedRunsStayWithTheirRuns) {
+  ResultTable table = table_of({{"b", "success"}, {"a", "stuck"}});
+  table.scenario = {0, 0};
+  ValueColumn time({"time", 1, "time", "s", Direction::Down});
+  time.add_number(5);
+  time.add_number(7);
+  table.unconditional = {time};
+  time.set_na(1, "outcome: stuck");
+  table.metrics.push_back(time);
+  sort_rows(table);
+  EXPECT_EQ(find_metric(table, "time")->reason(0), "outcome: stuck");
+  EXPECT_EQ(find_unconditional(table, "time")->number(0), 7);
+  EXPECT_EQ(find_unconditional(table, "time")->number(1), 5);
+  EXPECT_EQ(find_unconditional(table, "none"), nullptr);
+}
+
 TEST(ResultTable, AreSortedByMethodAndRepetitionWithinAScenario) {
   ResultTable table =
       table_of({{"b", "success"}, {"a", "stuck"}, {"a", "success"}, {"b", "stuck"}});

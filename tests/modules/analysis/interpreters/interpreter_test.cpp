@@ -385,7 +385,7 @@ TEST(Interpreter, CompletionOfATableCountsArrivalsOnly) {
     EXPECT_EQ(curve.unknown_end, 0u);
     for (const CurvePoint& point : curve.incidence)
       EXPECT_EQ(point.value, point.time < 10 ? 0 : 0.25) << point.time;
-    // Of the two runs that are not yet censored at 10 s one arrives.
+    // One of the two runs that are not yet censored at 10 s arrives.
     EXPECT_EQ(curve.kaplan_meier.back().value, 0.5);
   }
   const ResultTable gap = columns_from_csv("success,time\n1,10\n1,NA\n,7\n", "t.csv");
