@@ -252,7 +252,7 @@ Group make_group(const std::vector<const Entry*>& entries) {
       return values_of(*row.entry, row.method) != values;
     });
     if (other == same.end()) {
-      // Of several copies the one of which most is known.
+      // Prefers the copy that was verified.
       const auto best = std::find_if(same.begin(), same.end(), [](const Row& row) {
         return row.entry->verified.count(unmarked_name(row.method)) > 0;
       });

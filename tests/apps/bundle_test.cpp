@@ -221,7 +221,7 @@ TEST_F(Bundles, ASampleIsRandomUnlessItsSeedIsGiven) {
   const std::string seed = seeds.begin()->substr(std::string("sample: ").size());
   const ProgramResult one = run("slalom-simulate verify runs.results --quiet " + seed);
   EXPECT_EQ(run("slalom-simulate verify runs.results --quiet " + seed).out, one.out);
-  // Of four scenarios one is taken: a change in three of them is missed with 1/4, in all never.
+  // One of four scenarios is taken: a change in three is missed with 1/4, in four never.
   EXPECT_NE(one.out.find("if they are in 4 of 4 scenarios or more\n2 of 8 runs in 1 of 4 scenarios "
                          "are identical\n"),
             std::string::npos)

@@ -154,7 +154,7 @@ TEST_F(Registry, LeavesOutWhatIsNoWholeResult) {
   add_entry("good");
   const std::string good = read("entries/good.slalom");
   write("entries/damaged.slalom", good.substr(0, good.size() / 2));
-  // What its author says of it is not asked.
+  // Statements of its author are not read.
   write("entries/good.slalom.verified.json",
         R"({"message": "8 of 8 runs verified", "color": "brightgreen"})");
   add_entry("quick", "--set scenarios.count=30 --quick 20");

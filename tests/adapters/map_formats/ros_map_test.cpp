@@ -11,8 +11,8 @@ constexpr char kPgm[] = "P2 3 2 255\n254 254 0\n254 205 254\n";
 
 /// The probability of being free as rounded by MRPT.
 float rounded(double probability) {
-  using Map = mrpt::maps::COccupancyGridMap2D;
-  return Map::l2p(Map::p2l(static_cast<float>(probability)));
+  using Grid = mrpt::maps::COccupancyGridMap2D;
+  return Grid::l2p(Grid::p2l(static_cast<float>(probability)));
 }
 
 mrpt::maps::COccupancyGridMap2D read(const std::string& yaml, const std::string& image = kPgm) {

@@ -275,7 +275,7 @@ TEST_F(RosParameters, ValuesOfOtherKindsAreNamedWithWhatIsExpected) {
   EXPECT_TRUE(refuses("max_vel_x: $(var speed)", {"'$(var speed)'", "substitution"}));
 }
 
-/// As rcl_yaml_param_parser and rosparam: a later value overwrites an earlier one.
+/// Like rcl_yaml_param_parser and rosparam, a later value overwrites an earlier one.
 TEST_F(RosParameters, TheLastValueOfAKeyThatIsGivenTwiceCountsWithANoteOfBothLines) {
   const IniFile ini = resolve_controller(
       "my::Shim", "      max_vel_x: 1\n      plugin: " + kDwb + "\n      max_vel_x: 2\n");

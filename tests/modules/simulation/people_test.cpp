@@ -169,7 +169,9 @@ TEST(People, HaveTracksWithTheVelocityOfTheirLastPeriodOrOfTheComingOne) {
     ASSERT_EQ(setup.people.period, period);
     simulate(World(with_people({eve, ben}), 0.05), setup, 1, watcher);
     ASSERT_GT(tracks.size(), 20U);
-    if (!intention) EXPECT_EQ(tracks[0].velocity, TPoint2D(0, 0));
+    if (!intention) {
+      EXPECT_EQ(tracks[0].velocity, TPoint2D(0, 0));
+    }
     for (std::size_t k = 1; k < tracks.size(); ++k) {
       const TPoint2D moved = (tracks[k].position - tracks[k - 1].position) * (1 / period);
       EXPECT_NEAR((moved - tracks[intention ? k - 1 : k].velocity).norm(), 0, 1e-9) << k;

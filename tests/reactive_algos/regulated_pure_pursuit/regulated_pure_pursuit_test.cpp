@@ -56,7 +56,7 @@ TEST(RegulatedSpeed, FallsWithTheRadiusOfTheTurn) {
 TEST(RegulatedSpeed, FallsWithTheClearance) {
   const Parameters p;
   EXPECT_EQ(regulated_speed(p, kInscribed, 0, 0.6, 5), 1);
-  // Of the center, 0.2 m more: 0.5 of 0.8 m.
+  // The center has 0.2 m more: 0.5 of 0.8 m.
   EXPECT_NEAR(regulated_speed(p, kInscribed, 0, 0.3, 5), 0.5 / 0.8, 1e-12);
   EXPECT_NEAR(regulated_speed(p, kInscribed, 0, 0, 5), 0.2 / 0.8, 1e-12);
   EXPECT_EQ(regulated_speed(p, 0.01, 0, 0.01, 5), 0.25) << "not below the minimum";
