@@ -125,8 +125,8 @@ void require_own_settings(const Manifest& manifest, const std::string& path) {
                                    stated.get(section, key).value_or("nothing"));
 }
 
-/// What the registry itself has verified of a bundle, by method: from its file in the
-/// folder of verifications. A file beside the bundle may be its author's.
+/// Verifications by the registry itself, by method, from the file of the bundle in their folder. A
+/// file beside the bundle may be its author's.
 std::map<std::string, std::string> verification_of(const Entry& entry, const std::string& hash,
                                                    const std::string& folder) {
   const std::string path = (fs::path(folder) / (hash + "_" + version() + ".json")).string();

@@ -289,8 +289,8 @@ std::size_t VerifyReport::identical_runs() const {
 }
 
 std::size_t detectable_changes(std::size_t sampled, std::size_t all) {
-  // Without replacement: C(all - changed, sampled) / C(all, sampled) is the probability to see
-  // none.
+  // Probability to see none, drawn without replacement: C(all - changed, sampled) / C(all,
+  // sampled).
   double unseen = 1;
   std::size_t changed = 0;
   while (unseen > 0.05 * (1 + 1e-9) && changed < all) {
