@@ -63,7 +63,7 @@ PYBIND11_MODULE(_slalom, module) {
   slalom::bind_scenarios(module);
   slalom::bind_certify(module);
   slalom::bind_results(module);
-  module.def("set_shipped_folder", &slalom::set_shipped_folder, py::arg("folder"));
+  module.def("set_shipped_folder", &slalom::set_shipped_folder);
   module.def("evaluate",
              [](const py::dict& methods, const std::vector<slalom::Scenario>& scenarios,
                 const py::dict& sections, std::optional<std::vector<std::string>> metrics,

@@ -270,7 +270,7 @@ TEST_F(Bundles, ARunWhoseRepetitionIsNoIntIsDamaged) {
       run("sqlite3 runs.results \"UPDATE runs SET repetition = 4294967296 WHERE run = 1\"").status,
       0);
   expect_failure("slalom-simulate verify runs.results --quiet", 3,
-                 {"/4294967296: is damaged", "an unmodified file"});
+                 {"/4294967296 is damaged", "an unmodified file"});
 }
 
 TEST_F(Bundles, MissingRunsAndScenariosAreFound) {

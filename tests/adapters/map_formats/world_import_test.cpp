@@ -328,19 +328,22 @@ TEST_F(MvsimWorld, PlacesBlocksOfClassesWithVariables) {
 }
 
 TEST_F(MvsimWorld, WhoseVariablesNameEachOtherIsRefused) {
-  // Each level has ten times the size of the one below: in order of their definition, and against.
-  for (const bool ascending : {true, false}) {
+  // Each level has ten times the size of the one below, which is defined before it, or after.
+  for (const bool below_first : {true, false}) {
+    const auto name_of = [&](int level) {
+      return "V" + std::to_string(below_first ? 10 + level : 21 - level);
+    };
     std::string content;
     for (int i = 0; i < 12; ++i) {
-      const int level = ascending ? i : 11 - i;
+      const int level = below_first ? i : 11 - i;
       std::string value = level == 0 ? "1234567890" : "";
-      for (int k = 0; k < 10 && level > 0; ++k)
-        value += "${V" + std::to_string(10 + level - 1) + "}";
-      content += "<variable name='V" + std::to_string(10 + level) + "' value='" + value + "'/>\n";
+      for (int k = 0; k < 10 && level > 0; ++k) value += "${" + name_of(level - 1) + "}";
+      content += "<variable name='" + name_of(level) + "' value='" + value + "'/>\n";
     }
-    EXPECT_TRUE(rejects(content + "<block><init_pose>${V21} 0 0</init_pose></block>",
-                        {ascending ? "variable 'V12' has more than 1000 characters"
-                                   : "values of variables name each other"}));
+    EXPECT_TRUE(
+        rejects(content + "<block><init_pose>${" + name_of(11) + "} 0 0</init_pose></block>",
+                {below_first ? "variable 'V13' has more than 1000 characters"
+                             : "values of variables name each other"}));
   }
 }
 
