@@ -14,10 +14,15 @@ analysis * statistics of finished runs, which no hash and no dump has
 bags     * frames in three dimensions of recorded robots; scenarios of drives have their poses
 gui      * digits of scales on the screen
 rawlog   * identification of robots from their logs, maps that MRPT makes of scans
-report   * scales of figures
+figures  * scales of figures
 studio   * digits of scales on the screen
 core     exp Boost.Random compares it with a uniform number in 1 of 400 normal ones, and has no other use for it
 mppi     exp the same
+lcm      exp the same
+ompl     exp the same
+onnx     exp the same
+python   exp the same
+ros2     exp the same
 ros2_runtime exp the same
 '
 of_c='sin|cos|tan|sincos|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh'
@@ -34,6 +39,7 @@ folder_of() {
     reactive_common) echo reactive_algos/common ;;
     onnx_runtime) echo adapters/onnx ;;
     ros2_runtime) echo adapters/ros2 ;;
+    figures) echo modules/report ;;
     *) ls -d {modules,adapters,reactive_algos}/"$1" 2>/dev/null || true ;;
   esac
 }
