@@ -41,7 +41,7 @@ mapfile -t sources < <(grep -E '^(modules|adapters|reactive_algos|apps|tests|ben
 
 # One command for each source, without precompiled headers, which are GCC's. A source without one is of another system.
 cmake --preset tidy --log-level=WARNING >/dev/null
-cmake --build --preset tidy --target slalom_lcm_headers slalom_ros2_messages >/dev/null
+cmake --build --preset tidy --target slalom_build_id_header slalom_lcm_headers slalom_ros2_messages >/dev/null
 mapfile -t sources < <(printf '%s\n' "${sources[@]}" |
   grep -Fxf <(sed -n "s|^ *\"file\": \"$PWD/\(.*\)\".*|\1|p" build/tidy/compile_commands.json) || true)
 end=$((SECONDS + seconds)) checked=0 status=0
