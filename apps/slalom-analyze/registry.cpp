@@ -125,6 +125,12 @@ void require_own_settings(const Manifest& manifest, const std::string& path) {
                                    stated.get(section, key).value_or("nothing"));
 }
 
+std::size_t count_runs(const ResultTable& runs, const std::string& method) {
+  return static_cast<std::size_t>(
+      std::count_if(runs.method.begin(), runs.method.end(),
+                    [&](std::uint32_t index) { return runs.methods[index] == method; }));
+}
+
 /// Verifications by the registry itself, by method, from the file of the bundle in their folder. A
 /// file beside the bundle may be its author's.
 std::map<std::string, std::string> verification_of(const Entry& entry, const std::string& hash,
@@ -139,8 +145,7 @@ std::map<std::string, std::string> verification_of(const Entry& entry, const std
         json.at("date").get<std::string>() + ", " + json.at("processor").get<std::string>();
     for (const auto& [method, runs] : json.at("methods").items())
       verified[method] = std::to_string(runs.at("identical").get<std::size_t>()) + " of " +
-                         std::to_string(runs.at("runs").get<std::size_t>()) + " executed again, " +
-                         when;
+                         count_text(count_runs(entry.runs, method), "run") + " verified, " + when;
   } catch (const Json::exception&) {
     throw file_error(path, "is not a verification", "what slalom-simulate verify --badge writes");
   }
