@@ -32,5 +32,5 @@ for package in "${optional[@]}"; do
 done
 [ ${#missing[@]} -eq 0 ] && exit 0
 echo "Installing ${#missing[@]} packages: ${missing[*]}" >&2
-{ "${as_root[@]}" apt-get install -y --no-install-recommends -qq -o APT::Status-Fd=3 "${missing[@]}" 3>&1 >/dev/null; } |
-  show_apt_progress
+# Standard output, since sudo closes all other descriptors; what else apt prints there is passed over.
+"${as_root[@]}" apt-get install -y --no-install-recommends -qq -o APT::Status-Fd=1 "${missing[@]}" | show_apt_progress

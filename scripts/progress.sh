@@ -20,7 +20,8 @@ show_build_progress() {
 show_apt_progress() {
   local status percent begin=$SECONDS
   while IFS=: read -r status _ percent _; do
-    [[ $status != pmstatus && $status != dlstatus ]] || show_part "${percent%.*}" 100 $((SECONDS - begin)) "$status"
+    [[ $status =~ ^(pm|dl)status$ && $percent =~ ^[0-9]+ ]] || continue
+    show_part "${BASH_REMATCH[0]}" 100 $((SECONDS - begin)) "$status"
   done
   end_progress
 }
