@@ -39,6 +39,11 @@ mkdir "$work/theme"
 cat >"$work/theme/main.html" <<'END'
 {% extends "base.html" %}
 {% block libs %}<script src="{{ 'search/offline.js' | url }}"></script>{% endblock %}
+{% block styles %}{{ super() }}<style>
+[data-md-color-scheme="slate"][data-md-color-primary] { --md-typeset-a-color: #9fa8da; }
+.md-typeset a:not(.headerlink) { text-decoration: underline; }
+.md-tabs__link { opacity: 1; }
+</style>{% endblock %}
 END
 cat >"$work/mkdocs.yml" <<END
 site_name: Slalom $version

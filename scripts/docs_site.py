@@ -8,6 +8,7 @@ import re
 
 from mkdocs.structure.files import File
 
+FENCE = re.compile(r"^```(\w+) (\S+)$", re.MULTILINE)
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)#\s]*)(#[^)\s]*)?\)")
 
 
@@ -47,7 +48,11 @@ def header_page(path):
 
 
 def on_page_markdown(markdown, page, config, files):
-    """Other files outside the documents have no page: their links become texts."""
+    """Other files outside the documents have no page: their links become texts. Python-Markdown takes one word after a
+    fence: the name of a file stands above its content."""
+    def name(match):
+        language, file = match.groups()
+        return f"```{language}" if file == "no-run" else f"`{file}`:\n\n```{language}"
     def resolve(match):
         text, target, anchor = match.groups()
         if not target.startswith("../"):
@@ -58,7 +63,7 @@ def on_page_markdown(markdown, page, config, files):
         markdown += "\n## API reference\n\n[All modules and headers](api/index.html)\n"
     if page.file.src_path == "registry.md" and files.get_file_from_path("registry/index.html"):
         markdown += "\n[The registry of this site](registry/index.html)\n"
-    return LINK.sub(resolve, markdown)
+    return LINK.sub(resolve, FENCE.sub(name, markdown))
 
 
 def on_post_build(config):

@@ -57,6 +57,29 @@ class Browser:
                 return answer["result"]["value"]
 
 
+# The least contrast of a link in the text (WCAG 2, relative luminance) in a color scheme, and what of the page is no text.
+LOOK = """(scheme => {
+  document.head.insertAdjacentHTML('beforeend', '<style>* { transition: none !important }</style>');
+  document.body.setAttribute('data-md-color-scheme', scheme);
+  const numbers = color => color.match(/[\\d.]+/g).map(Number);
+  const light = color => numbers(color).slice(0, 3).map(c => c / 255)
+      .map(c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = e => {
+    for (; e; e = e.parentElement) {
+      const color = getComputedStyle(e).backgroundColor;
+      if (!(numbers(color)[3] === 0)) return color;
+    }
+    return 'rgb(255, 255, 255)';
+  };
+  const contrast = e => {
+    const [a, b] = [light(getComputedStyle(e).color), light(behind(e))].sort((a, b) => b - a);
+    return (a + 0.05) / (b + 0.05);
+  };
+  const links = [...document.querySelectorAll('.md-content a:not(.headerlink):not(.md-button), .md-tabs__link')];
+  return [Math.min(...links.map(contrast), 21), document.body.innerText.includes('```')];
+})"""
+
 CAMPAIGN = """[campaign]
 methods = go_to_goal
 [scenarios]
@@ -120,6 +143,11 @@ def main(source):
         text = (site / "index.html").read_text()
         assert all(f'href="{page}.html' in text for page in pages - {"index"}), "a page is not in the menu"
         with Browser() as browser:
+            for page in sorted(site.glob("*.html")):
+                for scheme in ("default", "slate"):
+                    contrast, has_fences = browser.wait_for(f"file://{page}", f"document.readyState === 'complete' && {LOOK}('{scheme}')")
+                    assert not has_fences, f"{page.name} shows fences"
+                    assert contrast >= 4.5, f"links of {page.name} have a contrast of {contrast} in {scheme}"
             found = browser.wait_for(f"file://{site}/tutorial.html?q=troubleshooting", FOUND)
             assert any("/troubleshooting.html" in url for url in found), found
 
