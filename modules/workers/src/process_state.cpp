@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sched.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
@@ -93,7 +94,44 @@ void stop_timers() {
     setitimer(timer, &never, nullptr);
 }
 
+__rlimit_resource_t resource(std::size_t i) {
+  return static_cast<__rlimit_resource_t>(i);
+}
+
+/// By the number of the resource.
+constexpr const char* kNamesOfLimits[] = {
+    "CPU",     "FSIZE", "DATA",  "STACK",      "CORE",     "RSS",  "NPROC",  "NOFILE",
+    "MEMLOCK", "AS",    "LOCKS", "SIGPENDING", "MSGQUEUE", "NICE", "RTPRIO", "RTTIME"};
+static_assert(std::size(kNamesOfLimits) == RLIMIT_NLIMITS);
+static_assert(RLIMIT_CPU == 0 && RLIMIT_NOFILE == 7 && RLIMIT_AS == 9 && RLIMIT_RTPRIO == 14);
+
 }  // namespace
+
+ResourceLimits::ResourceLimits() {
+  for (std::size_t i = 0; i < limits_.size(); ++i) getrlimit(resource(i), &limits_[i]);
+}
+
+bool ResourceLimits::restore() const {
+  bool restored = true;
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    rlimit now = {};
+    if (getrlimit(resource(i), &now) == 0 &&
+        (now.rlim_cur != limits_[i].rlim_cur || now.rlim_max != limits_[i].rlim_max))
+      restored = setrlimit(resource(i), &limits_[i]) == 0 && restored;
+  }
+  return restored;
+}
+
+std::string ResourceLimits::restore_lowered() const {
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    rlimit now = {};
+    getrlimit(resource(i), &now);
+    const bool is_lower = now.rlim_cur < limits_[i].rlim_cur || now.rlim_max < limits_[i].rlim_max;
+    if (is_lower && setrlimit(resource(i), &limits_[i]) != 0)
+      return std::string("RLIMIT_") + kNamesOfLimits[i];
+  }
+  return "";
+}
 
 ProcessState::ProcessState()
     : c_locale_(setlocale(LC_ALL, nullptr)),
@@ -108,8 +146,6 @@ ProcessState::ProcessState()
   for (int signal = 1; signal < NSIG; ++signal)
     sigaction(signal, nullptr, &actions_[static_cast<std::size_t>(signal)]);
   sigprocmask(SIG_SETMASK, nullptr, &blocked_);
-  for (std::size_t resource = 0; resource < limits_.size(); ++resource)
-    getrlimit(static_cast<__rlimit_resource_t>(resource), &limits_[resource]);
 }
 
 bool ProcessState::restore() const {
@@ -119,7 +155,7 @@ bool ProcessState::restore() const {
   restore_environment();
   umask(umask_);
   const bool in_folder = current_folder() == folder_ || chdir(folder_.c_str()) == 0;
-  const bool limited = restore_limits();
+  const bool limited = limits_.restore();
   const bool has_no_timer = next_timer_ >= 0 && next_timer() == next_timer_ + 1;
   const std::vector<pid_t> left = child_processes();
   return in_folder && limited && has_no_timer && attributes() == attributes_ &&
@@ -143,18 +179,6 @@ void ProcessState::restore_locale() const {
   if (std::locale() != cpp_locale_) std::locale::global(cpp_locale_);
   if (c_locale_ != setlocale(LC_ALL, nullptr)) setlocale(LC_ALL, c_locale_.c_str());
   uselocale(thread_locale_);
-}
-
-bool ProcessState::restore_limits() const {
-  bool restored = true;
-  for (std::size_t i = 0; i < limits_.size(); ++i) {
-    const auto resource = static_cast<__rlimit_resource_t>(i);
-    rlimit now = {};
-    if (getrlimit(resource, &now) == 0 &&
-        (now.rlim_cur != limits_[i].rlim_cur || now.rlim_max != limits_[i].rlim_max))
-      restored = setrlimit(resource, &limits_[i]) == 0 && restored;
-  }
-  return restored;
 }
 
 void ProcessState::restore_environment() const {

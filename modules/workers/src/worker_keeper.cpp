@@ -4,6 +4,7 @@
 
 #include <slalom/core/fork.h>
 #include <slalom/core/orphans.h>
+#include <slalom/workers/process_state.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -45,6 +46,8 @@ bool has_ended(pid_t worker) {
 /// How often and long a keeper may be found stopped, or held by its tracer when it has ended. A
 /// program that is suspended with its keeper and continued finds it running.
 constexpr int kMaxStopped = 50, kCheckMs = 20;
+/// How often it may be found silent while this process waits for it: a minute. It is killed then.
+constexpr int kMaxSilent = 3000;
 
 /// Whether a signal or a tracing process has stopped the process.
 bool is_stopped(pid_t process) {
@@ -78,6 +81,9 @@ class Keeper {
       clean_up();
       if (is_ending_ || !has_request_) continue;
       const KeeperRequest request = receive_keeper_request(socket_, start);
+      // A process whose limits a method lowered, or that has no room for descriptors, is replaced
+      // as one that a method killed.
+      if (request == KeeperRequest::Broken || !limits_.restore_lowered().empty()) raise(SIGKILL);
       if (request == KeeperRequest::End) is_ending_ = true;
       if (request == KeeperRequest::Start) fork_worker(std::move(start));
       if (request == KeeperRequest::Reply) send_reply_request(socket_);
@@ -178,6 +184,7 @@ class Keeper {
   int socket_;
   const Serve& serve_;
   sigset_t signals_of_workers_;
+  ResourceLimits limits_;
   FileDescriptor ends_;  ///< readable when a child has ended
   bool is_ending_ = false, has_end_ = false, has_request_ = false;
   std::vector<Worker> workers_;
@@ -228,9 +235,13 @@ void WorkerKeeper::kill_if_stopped() {
   if (stopped_ >= kMaxStopped) kill(process_, SIGKILL);
 }
 
-/// False when the connection has ended.
+/// False when the connection has ended, or the process does not even end.
 bool WorkerKeeper::await_message() {
-  while (!is_readable(socket_.number(), kCheckMs)) kill_if_stopped();
+  for (int silent = 0; !is_readable(socket_.number(), kCheckMs); ++silent) {
+    kill_if_stopped();
+    if (silent == kMaxSilent) kill(process_, SIGKILL);
+    if (silent == kMaxSilent + kMaxStopped) return false;
+  }
   char message = 0;
   ssize_t got = 0;
   do {

@@ -3,6 +3,7 @@
 #include "worker_process.h"
 
 #include <slalom/core/error.h>
+#include <slalom/workers/process_state.h>
 #include <slalom/workers/worker_pool.h>
 
 #include <algorithm>
@@ -197,6 +198,11 @@ class Pool {
   }
 
   void collect(const std::vector<WorkerProcess*>& ready) {
+    const std::string lowered = limits_.restore_lowered();
+    if (!lowered.empty())
+      throw job_error("workers", "a method has lowered " + lowered +
+                                     " of this program, which cannot raise it again; "
+                                     "[limits] sandbox = true prevents that");
     inputs_.collect();
     for (WorkerProcess* worker : ready) worker->read();
     // Asked once, after all answers that were read.
@@ -239,6 +245,7 @@ class Pool {
   const WorkItem& item_;
   ResultForwarder& results_;
   SharedInputPool inputs_;
+  ResourceLimits limits_;
   WorkerKeeper keeper_;
   std::vector<Worker> workers_;
   double looked_at_all_ = 0;  ///< s, when all busy workers were looked at

@@ -12,9 +12,11 @@
 #include <linux/landlock.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -68,34 +70,35 @@ constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t kArchitecture = 0;  // none: such a sandbox cannot be made
 #endif
 
-/// The calls that change permissions, owners, times and extended attributes, for which Landlock has
-/// no rights, and io_uring, which makes calls past the filter. Some exist on some processors only.
+/// Landlock has no rights for these calls, and io_uring makes calls past the filter. Some exist on
+/// some processors only.
 constexpr int kForbidden[] = {
-    SYS_fchmod,
-    SYS_fchmodat,
-    SYS_fchown,
-    SYS_fchownat,
-    SYS_utimensat,
-    SYS_setxattr,
-    SYS_lsetxattr,
-    SYS_fsetxattr,
-    SYS_removexattr,
-    SYS_lremovexattr,
-    SYS_fremovexattr,
-    SYS_io_uring_setup,
-    452,  // fchmodat2
-    463,
-    466,  // setxattrat, removexattrat
-    468,  // file_setattr
+    // permissions, owners, times and extended attributes of files
+    SYS_fchmod, SYS_fchmodat, SYS_fchown, SYS_fchownat, SYS_utimensat, SYS_setxattr, SYS_lsetxattr,
+    SYS_fsetxattr, SYS_removexattr, SYS_lremovexattr, SYS_fremovexattr,
+    452,       // fchmodat2
+    463, 466,  // setxattrat, removexattrat
+    468,       // file_setattr
 #ifdef SYS_chmod
-    SYS_chmod,
-    SYS_chown,
-    SYS_lchown,
-    SYS_utime,
-    SYS_utimes,
-    SYS_futimesat,
+    SYS_chmod, SYS_chown, SYS_lchown, SYS_utime, SYS_utimes, SYS_futimesat,
 #endif
+    SYS_io_uring_setup,
+    // the machine, which root can change
+    SYS_sethostname, SYS_setdomainname, SYS_settimeofday, SYS_clock_settime, SYS_adjtimex,
+    SYS_clock_adjtime, SYS_reboot, SYS_swapon, SYS_swapoff, SYS_acct, SYS_quotactl, SYS_kexec_load,
+    SYS_init_module, SYS_finit_module, SYS_delete_module,
+    // memory of other processes
+    SYS_migrate_pages, SYS_process_madvise,
+    448,  // process_mrelease
 };
+
+/// The calls that set something of the process with the number of their first argument, 0: itself.
+constexpr int kOfProcess[] = {SYS_prlimit64,      SYS_sched_setaffinity, SYS_sched_setscheduler,
+                              SYS_sched_setparam, SYS_sched_setattr,     SYS_move_pages};
+
+/// The calls that set a priority of a process, group or user, their first argument. The numbers of
+/// those that a user is.
+constexpr std::pair<int, int> kOfGroup[] = {{SYS_setpriority, PRIO_USER}, {SYS_ioprio_set, 3}};
 
 /// A program that decides which calls fail with EPERM: those of another architecture's conventions,
 /// and those added.
@@ -116,13 +119,23 @@ class CallFilter {
     program_.push_back(refusal_);
   }
 
-  /// Refuses socket() but for sockets within the machine. The last rule, since it ends the program.
+  /// Refuses a call unless its first argument is 0.
+  void refuse_for_others(int call) {
+    refuse_unless(call, {load_argument(0), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 1, 0), refusal_});
+  }
+
+  /// Refuses a call if its first argument is `user`, or its second one not 0.
+  void refuse_for_others(int call, int user) {
+    refuse_unless(call,
+                  {load_argument(0),
+                   BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(user), 2, 0),
+                   load_argument(1), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 1, 0), refusal_});
+  }
+
+  /// Refuses socket() but for sockets within the machine.
   void refuse_networks() {
-    const std::vector<sock_filter> rule = {
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_socket, 0, 3),
-        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)),  // the lower half
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, AF_UNIX, 1, 0), refusal_};
-    program_.insert(program_.end(), rule.begin(), rule.end());
+    refuse_unless(SYS_socket,
+                  {load_argument(0), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, AF_UNIX, 1, 0), refusal_});
   }
 
   /// Applies it to this process and all that it starts; false if that is not possible.
@@ -134,13 +147,30 @@ class CallFilter {
   }
 
  private:
+  /// The lower half: all that the kernel reads of an int.
+  static sock_filter load_argument(std::size_t i) {
+    return BPF_STMT(
+        BPF_LD | BPF_W | BPF_ABS,
+        static_cast<std::uint32_t>(offsetof(seccomp_data, args) + i * sizeof(std::uint64_t)));
+  }
+
+  /// A rule for one call; the next rule finds the number of the call again.
+  void refuse_unless(int call, const std::vector<sock_filter>& rule) {
+    program_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0,
+                                static_cast<std::uint8_t>(rule.size() + 1)));
+    program_.insert(program_.end(), rule.begin(), rule.end());
+    program_.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)));
+  }
+
   const sock_filter refusal_ = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
   std::vector<sock_filter> program_;
 };
 
-bool forbid_attribute_changes() {
+bool forbid_what_landlock_allows() {
   CallFilter filter;
   for (const int call : kForbidden) filter.refuse(call);
+  for (const int call : kOfProcess) filter.refuse_for_others(call);
+  for (const auto& [call, user] : kOfGroup) filter.refuse_for_others(call, user);
   return filter.enter();
 }
 
@@ -160,7 +190,7 @@ bool confine_writing_to(const std::vector<std::string>& folders) {
   bool confined = allow(ruleset, "/dev/null", LANDLOCK_ACCESS_FS_WRITE_FILE);
   for (const std::string& folder : folders) confined = confined && allow(ruleset, folder, access);
   confined = confined && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-             syscall(SYS_landlock_restrict_self, ruleset, 0) == 0 && forbid_attribute_changes();
+             syscall(SYS_landlock_restrict_self, ruleset, 0) == 0 && forbid_what_landlock_allows();
   close(ruleset);
   return confined;
 }

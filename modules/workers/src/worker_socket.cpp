@@ -115,7 +115,7 @@ KeeperRequest receive_keeper_request(int socket, WorkerStart& start) {
   if (size < 1) return KeeperRequest::End;
   if (size == sizeof kReply && path[0] == kReply) return KeeperRequest::Reply;
   std::vector<FileDescriptor> files = message.received_files();
-  if (files.size() != 6) return KeeperRequest::End;  // this process may not have as many
+  if (files.size() != 6) return KeeperRequest::Broken;  // this process may not have as many
   start = {std::move(files[0]),
            std::move(files[1]),
            {std::move(files[2]), std::move(files[3])},

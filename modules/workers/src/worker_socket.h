@@ -47,11 +47,12 @@ void send_request(int socket, const Request& request, int file);
 bool receive_request(int socket, Request& request, FileDescriptor& file);
 
 /// A request to a keeper, one message of its connection.
-enum class KeeperRequest { Start, Reply, End };
+enum class KeeperRequest { Start, Reply, End, Broken };
 
 /// False when the connection has ended.
 bool send_start(int socket, const WorkerStart& start);
-/// Start with what it is to start, or End when the connection has ended.
+/// Start with what it is to start, End when the connection has ended, or Broken if this process
+/// could not receive all descriptors.
 KeeperRequest receive_keeper_request(int socket, WorkerStart& start);
 
 /// Asks a keeper for a reply, and sends it. False when the connection has ended.

@@ -4,6 +4,7 @@
 #include "shared_count.h"
 #include "temporary_folder.h"
 
+#include <slalom/core/error.h>
 #include <slalom/core/orphans.h>
 #include <slalom/core/read_file.h>
 #include <slalom/workers/worker_pool.h>
@@ -22,12 +23,15 @@
 #include <iostream>
 #include <map>
 #include <numeric>
+#include <sched.h>
 #include <set>
 #include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/ptrace.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <sys/xattr.h>
@@ -861,6 +865,18 @@ TEST_F(Sandbox, FilesOutsideAreReadButNotChanged) {
   EXPECT_EQ(read_file(kept), "content");
 }
 
+/// The names of the attempts that were not refused with EPERM.
+class Attempts {
+ public:
+  void add(const char* name, long status) {
+    if (status == 0 || errno != EPERM) names_ += std::string(name) + " ";
+  }
+  const std::string& names() const { return names_; }
+
+ private:
+  std::string names_;
+};
+
 TEST_F(Sandbox, PermissionsOwnersTimesAndAttributesOfFilesAreNotChanged) {
   const std::string kept = folder_ / "kept";
   std::ofstream(kept) << "content";
@@ -868,34 +884,129 @@ TEST_F(Sandbox, PermissionsOwnersTimesAndAttributesOfFilesAreNotChanged) {
   struct stat before = {}, after = {};
   ASSERT_EQ(stat(kept.c_str(), &before), 0);
   const WorkResult result = run_confined([&](std::size_t, SharedTaskLog&) {
-    std::string done;
-    const auto attempt = [&](const char* name, int status) {
-      if (status == 0 || errno != EPERM) done += std::string(name) + " ";
-    };
+    Attempts attempts;
     const int file = open(kept.c_str(), O_RDONLY | O_CLOEXEC);
     const timespec times[2] = {{1, 0}, {1, 0}};
     const timeval old[2] = {{1, 0}, {1, 0}};
-    attempt("chmod", chmod(kept.c_str(), 0777));
-    attempt("fchmod", fchmod(file, 0777));
-    attempt("fchmodat", fchmodat(AT_FDCWD, kept.c_str(), 0777, 0));
-    attempt("chown", chown(kept.c_str(), 1, 1));
-    attempt("lchown", lchown(kept.c_str(), 1, 1));
-    attempt("fchown", fchown(file, 1, 1));
-    attempt("utimes", utimes(kept.c_str(), old));
-    attempt("utimensat", utimensat(AT_FDCWD, kept.c_str(), times, 0));
-    attempt("futimens", futimens(file, times));
-    attempt("setxattr", setxattr(kept.c_str(), "user.a", "b", 1, 0));
-    attempt("fsetxattr", fsetxattr(file, "user.a", "b", 1, 0));
-    attempt("chmod by a program", std::system(("chmod 777 " + kept + " 2>/dev/null").c_str()) == 0
-                                      ? 0
-                                      : (errno = EPERM, -1));
-    return done;
+    attempts.add("chmod", chmod(kept.c_str(), 0777));
+    attempts.add("fchmod", fchmod(file, 0777));
+    attempts.add("fchmodat", fchmodat(AT_FDCWD, kept.c_str(), 0777, 0));
+    attempts.add("chown", chown(kept.c_str(), 1, 1));
+    attempts.add("lchown", lchown(kept.c_str(), 1, 1));
+    attempts.add("fchown", fchown(file, 1, 1));
+    attempts.add("utimes", utimes(kept.c_str(), old));
+    attempts.add("utimensat", utimensat(AT_FDCWD, kept.c_str(), times, 0));
+    attempts.add("futimens", futimens(file, times));
+    attempts.add("setxattr", setxattr(kept.c_str(), "user.a", "b", 1, 0));
+    attempts.add("fsetxattr", fsetxattr(file, "user.a", "b", 1, 0));
+    attempts.add(
+        "chmod by a program",
+        std::system(("chmod 777 " + kept + " 2>/dev/null").c_str()) == 0 ? 0 : (errno = EPERM, -1));
+    return attempts.names();
   });
   EXPECT_EQ(result.payload, "");
   ASSERT_EQ(stat(kept.c_str(), &after), 0);
   EXPECT_EQ(after.st_mode, before.st_mode);
   EXPECT_EQ(after.st_uid, before.st_uid);
   EXPECT_EQ(after.st_mtime, before.st_mtime);
+}
+
+TEST_F(Sandbox, NothingOfOtherProcessesAndOfTheMachineIsSet) {
+  const pid_t campaign = getpid();
+  const WorkResult result = run_confined([&](std::size_t, SharedTaskLog&) {
+    Attempts attempts;
+    constexpr int kIoProcess = 1, kIoUser = 3;
+    const sched_param ordinary = {};
+    cpu_set_t all;
+    sched_getaffinity(0, sizeof all, &all);
+    int node = 0;
+    void* page = &node;
+    for (const pid_t other : {campaign, getppid(), getpid()}) {  // the filter knows no numbers
+      rlimit limit = {};
+      getrlimit(RLIMIT_NOFILE, &limit);
+      attempts.add("prlimit", prlimit(other, RLIMIT_NOFILE, &limit, nullptr));
+      attempts.add("setpriority", setpriority(PRIO_PROCESS, static_cast<id_t>(other), 0));
+      attempts.add("affinity", sched_setaffinity(other, sizeof all, &all));
+      attempts.add("scheduler", sched_setscheduler(other, SCHED_OTHER, &ordinary));
+      attempts.add("parameters", sched_setparam(other, &ordinary));
+      attempts.add("ioprio", syscall(SYS_ioprio_set, kIoProcess, other, 0));
+      attempts.add("pages", syscall(SYS_move_pages, other, 1UL, &page, &node, &node, 0));
+    }
+    attempts.add("priority of the user", setpriority(PRIO_USER, 0, 0));
+    attempts.add("ioprio of the user", syscall(SYS_ioprio_set, kIoUser, 0, 0));
+    attempts.add("name", sethostname("slalom", 6));
+    attempts.add("domain", setdomainname("slalom", 6));
+    const timeval time = {1, 0};
+    attempts.add("time", syscall(SYS_settimeofday, &time, nullptr));
+    attempts.add("kernel module", syscall(SYS_delete_module, "slalom", 0));
+    return attempts.names();
+  });
+  EXPECT_EQ(result.payload, "");
+}
+
+TEST_F(Sandbox, AProcessSetsItsOwnLimitsAndPriorities) {
+  const WorkResult result = run_confined([&](std::size_t, SharedTaskLog&) {
+    std::string refused;
+    const auto attempt = [&](const char* name, long status) {
+      if (status != 0) refused += std::string(name) + " ";
+    };
+    rlimit limit = {};
+    getrlimit(RLIMIT_NOFILE, &limit);
+    cpu_set_t all;
+    sched_getaffinity(0, sizeof all, &all);
+    const sched_param ordinary = {};
+    attempt("setrlimit", setrlimit(RLIMIT_NOFILE, &limit));
+    attempt("setpriority", setpriority(PRIO_PROCESS, 0, 1));
+    attempt("priority of the group", setpriority(PRIO_PGRP, 0, 1));
+    attempt("affinity", sched_setaffinity(0, sizeof all, &all));
+    attempt("scheduler", sched_setscheduler(0, SCHED_OTHER, &ordinary));
+    attempt("ioprio", syscall(SYS_ioprio_set, 1, 0, 0));
+    return refused;
+  });
+  EXPECT_EQ(result.payload, "");
+}
+
+/// Ends this process after `check`, which has no rights of root: these raise any limit again.
+template <typename Check>
+void exit_as_ordinary_user(const Check& check) {
+  constexpr uid_t kNobody = 65534;
+  if (geteuid() == 0 && setresuid(kNobody, kNobody, kNobody) != 0) _exit(3);
+  _exit(check() ? 0 : 1);
+}
+
+TEST(WorkerPool, AnItemThatLowersALimitOfItsSupervisorIsCharged) {
+  for (const auto resource : {RLIMIT_NOFILE, RLIMIT_AS, RLIMIT_NPROC, RLIMIT_FSIZE})
+    EXPECT_EXIT(exit_as_ordinary_user([&] {
+                  const rlimit none = {1, 1};
+                  const auto results =
+                      run_all(6, with_workers(2), [&](std::size_t i, SharedTaskLog&) {
+                        if (i == 2) prlimit(getppid(), resource, &none, nullptr);
+                        return std::string("fine");
+                      });
+                  bool others_are_fine = true;
+                  for (std::size_t i = 0; i < results.size(); ++i)
+                    others_are_fine = others_are_fine && (i == 2 || results[i].payload == "fine");
+                  return others_are_fine && results[2].status == Status::Crashed;
+                }),
+                testing::ExitedWithCode(0), "")
+        << resource;
+}
+
+TEST(WorkerPool, AnItemThatLowersALimitOfTheProgramEndsItWithTheReason) {
+  EXPECT_EXIT(exit_as_ordinary_user([&] {
+                const pid_t self = getpid();
+                const rlimit none = {1, 1};
+                try {
+                  run_all(2, with_workers(1), [&](std::size_t, SharedTaskLog&) {
+                    prlimit(self, RLIMIT_MEMLOCK, &none, nullptr);
+                    return std::string("fine");
+                  });
+                } catch (const Error& error) {
+                  return std::string(error.what()).find("RLIMIT_MEMLOCK") != std::string::npos;
+                }
+                return false;
+              }),
+              testing::ExitedWithCode(0), "");
 }
 
 TEST_F(Sandbox, ItsFolderIsRemovedWhateverTheMethodDoesToItsPermissions) {

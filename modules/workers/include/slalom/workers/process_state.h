@@ -12,6 +12,20 @@
 
 namespace slalom {
 
+/// The limits of a process (getrlimit) when this was constructed.
+class ResourceLimits {
+ public:
+  ResourceLimits();
+  /// Restores all; false if one cannot be raised again.
+  bool restore() const;
+  /// Restores those that were lowered. Returns the name of one that cannot be raised again, such as
+  /// "RLIMIT_NOFILE"; "" if there is none.
+  std::string restore_lowered() const;
+
+ private:
+  std::array<rlimit, RLIMIT_NLIMITS> limits_ = {};  ///< by resource
+};
+
 /// Everything that a method can change in its process and that affects its next run: signal
 /// handlers and mask, timers, locale, current folder, umask, resource limits, environment
 /// variables, scheduling and other attributes of the process, threads and child processes. (The
@@ -27,7 +41,6 @@ class ProcessState {
  private:
   void restore_signals() const;
   void restore_locale() const;
-  bool restore_limits() const;
   void restore_environment() const;
 
   std::array<struct sigaction, NSIG> actions_ = {};  ///< by signal
@@ -37,7 +50,7 @@ class ProcessState {
   std::locale cpp_locale_;
   std::string folder_;
   mode_t umask_;
-  std::array<rlimit, RLIMIT_NLIMITS> limits_ = {};  ///< by resource
+  ResourceLimits limits_;
   std::vector<std::string> environment_;
   std::vector<std::string> attributes_;
   long next_timer_;
