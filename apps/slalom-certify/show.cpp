@@ -4,7 +4,6 @@
 #include <slalom/app/certificate.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
-#include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 
@@ -22,7 +21,7 @@ void write_failures(const Json& certificate, const std::string& path, const std:
 }
 
 void show(const std::string& path, const std::string& output) {
-  const Json certificate = parse_certificate(read_file(path, "a certificate"), path);
+  const Json certificate = read_certificate(path);
   const Statement statement = statement_of(certificate, path);
   if (output.empty()) {
     std::cout << render_text(statement);

@@ -33,11 +33,15 @@ void verify(const VerifyArguments& arguments) {
   inquiry.workers = arguments.jobs;
   inquiry.quiet = arguments.quiet;
   inquiry.interrupted = InterruptGuard::raised;
+  const auto expect_unchanged = [&] {
+    if (!is_unchanged(stored)) throw job_error(path, "differs: checksum");
+  };
   if (arguments.sample) {
     // Chosen here: an author who knew the sample could make these runs right, and no others.
     const std::uint64_t seed = arguments.seed.value_or(std::random_device()());
-    std::cout << path << ": " << verify_sample(stored, path, *arguments.sample, seed, inquiry)
-              << " identical, sample " << seed << "\n";
+    const std::string compared = verify_sample(stored, path, *arguments.sample, seed, inquiry);
+    expect_unchanged();
+    std::cout << path << ": " << compared << " identical, sample " << seed << "\n";
     return;
   }
   const Answer repeated = ask(asked, inquiry);
@@ -45,6 +49,7 @@ void verify(const VerifyArguments& arguments) {
   if (!difference.environment.empty())
     std::cout << "environment: " << difference.environment << "\n";
   if (!difference.answer.empty()) throw job_error(path, "differs: " + difference.answer);
+  expect_unchanged();
   std::cout << render_text(statement_of(repeated.certificate, path)) << path << ": identical\n";
 }
 

@@ -4,13 +4,13 @@
 #include <slalom/app/program.h>
 #include <slalom/app/question_options.h>
 #include <slalom/core/error.h>
-#include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 #include <slalom/ros_parameters/resolve.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -25,9 +25,20 @@ struct TuneArguments {
   std::string folder;
 };
 
-/// The searches in folders beside this one with the same sealed scenarios.
-std::size_t earlier_uses(const fs::path& folder, const std::string& sealed_hash) {
-  std::size_t uses = 0;
+using Ids = std::set<std::string>;
+
+Ids sealed_scenarios(const Json& certificate) {
+  return certificate.at("answer").at("sealed_scenarios").get<Ids>();
+}
+
+/// What searches in folders beside this one have used of its sealed scenarios.
+struct EarlierUse {
+  std::size_t searches = 0;
+  Ids scenarios = {};
+};
+
+EarlierUse earlier_use(const fs::path& folder, const Ids& sealed) {
+  EarlierUse use;
   std::error_code ignored;
   const fs::path parent = fs::absolute(folder / "x").parent_path().parent_path();
   for (const fs::directory_entry& entry : fs::directory_iterator(parent, ignored)) {
@@ -35,19 +46,22 @@ std::size_t earlier_uses(const fs::path& folder, const std::string& sealed_hash)
     if (fs::equivalent(entry.path(), folder, ignored) || !fs::is_regular_file(file, ignored))
       continue;
     try {
-      const Json json = parse_certificate(read_file(file.string()), file.string());
-      if (json.at("answer").value("sealed_hash", "") == sealed_hash) ++uses;
+      Ids common;
+      for (const std::string& id : sealed_scenarios(read_certificate(file.string())))
+        if (sealed.count(id) > 0) common.insert(id);
+      use.searches += common.empty() ? 0 : 1;
+      use.scenarios.merge(common);
     } catch (const std::exception&) {
       // A file of something else.
     }
   }
-  return uses;
+  return use;
 }
 
 /// A search whose result is replaced would be a use of the sealed scenarios that nobody counts.
 void refuse_other_search(const std::string& path, AskedQuestion& asked) {
   if (!fs::exists(path)) return;
-  if (!answers(parse_certificate(read_file(path, "a certificate"), path), asked))
+  if (!answers(read_certificate(path), asked))
     throw usage_error(path, "is the result of another search",
                       "another folder (-o), since the sealed scenarios have been used");
 }
@@ -109,11 +123,11 @@ void tune(TuneArguments& arguments) {
   const Answer answer = ask_and_print(arguments.ask, asked, path);
   write_file_atomically((folder / kIni).string(), tuned_ini(answer.certificate));
   write_file_atomically((folder / kPage).string(), certificate_page(answer.certificate, path));
-  const Json& facts = answer.certificate.at("answer");
-  const std::size_t uses = earlier_uses(folder, facts.at("sealed_hash").get<std::string>());
-  if (uses > 0)
-    std::cout << "sealed scenarios that " << uses << " other "
-              << (uses == 1 ? "search" : "searches")
+  const Ids sealed = sealed_scenarios(answer.certificate);
+  const EarlierUse use = earlier_use(folder, sealed);
+  if (use.searches > 0)
+    std::cout << use.scenarios.size() << " of " << sealed.size() << " sealed scenarios that "
+              << use.searches << " other " << (use.searches == 1 ? "search" : "searches")
               << " beside this folder used, too: the confidence is that of one claim\n";
   std::cout << (folder / kIni).string() << ", " << path << ", " << (folder / kPage).string()
             << "\n";

@@ -499,7 +499,55 @@ TEST_F(Certify, ShowRefusesHostileCertificates) {
   Json changed = certificate("a.json");
   changed["question"]["more"] = 1;
   write("b.json", changed.dump());
-  expect_failure("slalom-certify show b.json", 3, {"unknown key 'more'"});
+  expect_failure("slalom-certify show b.json", 3, {"b.json: does not match its checksum"});
+  expect_failure("slalom-certify verify b.json", 3, {"unknown key 'more'"});
+}
+
+TEST_F(Certify, ChangedCertificatesAreNotShownAndAreDifferent) {
+  ASSERT_EQ(run("slalom-certify risk my.ini --quiet --method gap --budget 60 -o a.json").status, 0);
+  const Json stored = certificate("a.json");
+  // Another program may write members and spaces otherwise, and whole numbers without a fraction.
+  write("same.json", stored.dump(4));
+  EXPECT_EQ(run("slalom-certify show same.json").out, run("slalom-certify show a.json").out);
+  EXPECT_EQ(run("slalom-certify verify same.json --quiet --sample 1").status, 0);
+  // A number that nothing else depends on.
+  Json changed = stored;
+  changed["answer"]["resolution"] = 0.5;
+  write("b.json", changed.dump());
+  expect_failure("slalom-certify show b.json", 3, {"does not match its checksum"});
+  expect_failure("slalom-certify verify b.json --quiet --sample 1", 1, {"differs: checksum"});
+  changed = stored;
+  changed.erase("checksum");
+  write("b.json", changed.dump());
+  expect_failure("slalom-certify show b.json", 3, {"does not match its checksum"});
+}
+
+constexpr char kNarrow[] =
+    "[campaign]\nmethods = go\n[generator.passage]\nmin_width = 0.3\nmax_width = 0.3\n"
+    "[method.go]\nadapter = library\nplugin = libslalom_go_to_goal.so\n";
+
+TEST_F(Certify, DrawsThatTheRobotCannotSolveAreNoRuns) {
+  write("none.ini", std::string(kNarrow) + "[scenarios]\ngenerator = passage\n");
+  expect_failure("slalom-certify risk none.ini --method go --at-most 0.005 --require --quiet", 1,
+                 {"no solvable scenario in 100 draws"});
+  write("mixed.ini",
+        std::string(kNarrow) + "[scenarios]\ngenerator = passage, random\nweights = 9, 1\n");
+  const ProgramResult mixed =
+      run("slalom-certify risk mixed.ini --method go --outcome failure --budget 40 --quiet -j 2 "
+          "-o mixed.json");
+  ASSERT_EQ(mixed.status, 0) << mixed.err;
+  const Json answer = certificate("mixed.json").at("answer");
+  EXPECT_EQ(answer.at("runs"), 40);
+  EXPECT_FALSE(answer.at("outcome_counts").contains("unsolvable_scenario"));
+  // Nine of ten draws: 360 are expected, with a deviation of 60.
+  const auto redrawn = answer.at("redrawn").get<int>();
+  EXPECT_NEAR(redrawn, 360, 240);
+  EXPECT_NE(mixed.out.find(std::to_string(redrawn) + " draws without a solvable scenario"),
+            std::string::npos)
+      << mixed.out;
+  for (const Json& failure : answer.at("failures")) EXPECT_FALSE(failure.at("yaml").is_null());
+  const ProgramResult verified = run("slalom-certify verify mixed.json --quiet");
+  EXPECT_EQ(verified.status, 0) << verified.err;
 }
 
 }  // namespace

@@ -91,7 +91,30 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
                                    "0.2,2 --set method.go.turn_in_place=1 "
                                    "-o other");
   EXPECT_EQ(second.status, 0) << second.err;
-  EXPECT_NE(second.out.find("sealed scenarios that 1 other search"), std::string::npos);
+  EXPECT_NE(second.out.find("200 of 200 sealed scenarios that 1 other search"), std::string::npos);
+}
+
+TEST_F(Tune, SearchesThatShareSealedScenariosAreCounted) {
+  const auto tune = [&](const std::string& more) {
+    const ProgramResult result =
+        run("slalom-tune my.ini --quiet --runs 300 --method planted " + more);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  const std::string shared = " sealed scenarios that ";
+  EXPECT_EQ(tune("--sealed 200 -o all/a").find(shared), std::string::npos);
+  // The sets of another size begin with the same scenarios.
+  EXPECT_NE(tune("--sealed 201 -o all/b").find("of 200" + shared + "1 other search"),
+            std::string::npos);
+  EXPECT_EQ(tune("--sealed 200 --seed 2 -o all/c").find(shared), std::string::npos)
+      << "others are drawn";
+  // Parts of a list overlap: two times 200 of 400.
+  const std::string least = "--development 100 --finals 100 --sealed 200 ";
+  ASSERT_EQ(
+      run("slalom-scenarios generate -c my.ini -n 400 --seed 7 -o l.scenarios --quiet").status, 0);
+  const std::string list = "--set scenarios.list=l.scenarios --set scenarios.generator= " + least;
+  EXPECT_EQ(tune(list + "-o lists/a").find(shared), std::string::npos);
+  EXPECT_NE(tune(list + "--seed 2 -o lists/b").find(shared + "1 other search"), std::string::npos);
 }
 
 TEST_F(Tune, ShowsTheScenariosInWhichTheDefaultIsWorse) {

@@ -72,6 +72,7 @@ std::uint64_t digest_of(const DrawnRun& run) {
 }
 
 constexpr char kJournal[] = "slalom-certify journal ";
+constexpr std::size_t kMaxAgain = 99;  ///< draws that the robot cannot solve, in place of one run
 
 }  // namespace
 
@@ -122,9 +123,11 @@ void BlockRunner::check(const RunStream& stream) const {
   }
 }
 
-std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t index) const {
+std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t index,
+                                         std::size_t again) const {
   if (stream.scenarios) return RunDraw{stream.scenarios->at(index)};
-  RandomEngine engine(derive_seed(campaign_.options.seed, stream.name, index));
+  const std::string name = stream.name + (again == 0 ? "" : "/again/" + std::to_string(again));
+  RandomEngine engine(derive_seed(campaign_.options.seed, name, index));
   IniFile ini = stream.ini;
   bool own_options = false;
   for (const DrawnParameter& drawn : stream.parameters) {
@@ -157,14 +160,19 @@ void BlockRunner::run(const RunStream& stream, std::size_t max_runs, const Recei
   while (next < kept.runs.size())
     if (!pass_on()) return;
   const std::size_t first = next;
+  const bool redraws = stream.parameters.empty() && !stream.scenarios;
   const auto progress = make_terminal_progress(execution_.quiet);
   progress->start(stream.title, max_runs);
   const bool complete = run_draws(
       stream.method.value_or(campaign_.method), read_campaign_options(stream.ini),
-      [&](std::size_t index) { return draw(stream, first + index); }, max_runs - first,
-      {execution_.workers, execution_.interrupted, execution_.metric},
+      [&](std::size_t index, std::size_t again) { return draw(stream, first + index, again); },
+      max_runs - first,
+      {execution_.workers, execution_.interrupted, execution_.metric, redraws ? kMaxAgain : 0},
       [&](const DrawnRun& drawn) {
-        kept.runs.push_back({drawn.outcome, drawn.value, digest_of(drawn)});
+        if (redraws && drawn.outcome == Outcome::UnsolvableScenario)
+          throw job_error(stream.title, "no solvable scenario in " + std::to_string(kMaxAgain + 1) +
+                                            " draws: " + drawn.detail);
+        kept.runs.push_back({drawn.outcome, drawn.value, digest_of(drawn), drawn.again});
         write_journal(stream.name, kept.runs.back());
         if (const std::string outcome(to_string(drawn.outcome));
             first_failure_.empty() && is_method_failure(outcome))
@@ -177,6 +185,13 @@ void BlockRunner::run(const RunStream& stream, std::size_t max_runs, const Recei
   if (!complete)
     throw Interrupted(execution_.journal.empty() ? "nothing was written"
                                                  : "the same command continues");
+}
+
+std::size_t BlockRunner::redrawn() const {
+  std::size_t count = 0;
+  for (const auto& [name, kept] : streams_)
+    for (std::size_t i = 0; i < kept.passed; ++i) count += kept.runs[i].again;
+  return count;
 }
 
 std::string BlockRunner::method_failures() const {
@@ -211,7 +226,8 @@ std::string BlockRunner::hash_all(const std::string& prefix) const {
   return hasher.hex();
 }
 
-/// Line by line: the name of a stream after "@", or outcome, digest and value of its next run.
+/// Line by line: the name of a stream after "@", or outcome, digest, value and draws again of its
+/// next run.
 void BlockRunner::read_journal() {
   const std::string head = kJournal + execution_.identity + "\n";
   std::string text;
@@ -229,7 +245,7 @@ void BlockRunner::read_journal() {
     std::istringstream words(line);
     std::string name, value;
     BlockRun run;
-    words >> name >> std::hex >> run.digest >> value;
+    words >> name >> std::hex >> run.digest >> value >> std::dec >> run.again;
     const std::optional<Outcome> outcome = from_name<Outcome>(name);
     double number = 0;
     if (value != "-" && parse_number(value, number)) run.value = number;
@@ -257,7 +273,7 @@ void BlockRunner::write_journal(const std::string& stream, const BlockRun& run) 
   if (stream != journal_stream_) journal_ << '@' << stream << '\n';
   journal_stream_ = stream;
   journal_ << to_string(run.outcome) << ' ' << std::hex << run.digest << ' '
-           << (run.value ? format_number(*run.value) : "-") << '\n';
+           << (run.value ? format_number(*run.value) : "-") << ' ' << std::dec << run.again << '\n';
   // Flushed for each run: what is lost in a kill is executed again, but a full disk is told at
   // once.
   if (!journal_.flush())

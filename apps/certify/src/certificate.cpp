@@ -3,6 +3,7 @@
 #include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/version.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_yaml.h>
@@ -13,7 +14,7 @@
 namespace slalom {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 constexpr char kExpected[] = "a certificate that slalom-certify has written";
 
 MethodCampaign campaign_of(const AskedQuestion& asked, const Inquiry& inquiry) {
@@ -43,6 +44,17 @@ BlockRunner runner_of(const MethodCampaign& campaign, const Inquiry& inquiry,
   execution.identity = identity;
   execution.metric = question.metric();
   return {campaign, std::move(execution)};
+}
+
+/// Hash of all but the checksum itself. Other programs may order members and write numbers
+/// otherwise.
+std::string checksum_of(const Json& certificate) {
+  nlohmann::json content(certificate);
+  content.erase("checksum");
+  nlohmann::json values = content.flatten();
+  for (auto& value : values)
+    if (value.is_number()) value = value.get<double>();
+  return Hasher().add(values.dump()).hex();
 }
 
 /// "steps: [...] instead of [...]" for the first member that differs; "" if none does.
@@ -96,6 +108,7 @@ Answer ask(AskedQuestion& asked, const Inquiry& inquiry) {
                  {"environment", environment},
                  {"campaign.ini", campaign.ini.canonical_text()}},
                 question.remark(facts, runner) + (failures.empty() ? "" : failures + "\n")};
+  answer.certificate["checksum"] = checksum_of(answer.certificate);
   if (inquiry.output.empty()) return answer;
   write_file_atomically(inquiry.output, answer.certificate.dump(2) + "\n");
   runner.remove_journal();
@@ -125,6 +138,17 @@ Json parse_certificate(const std::string& text, const std::string& where) {
   } catch (const nlohmann::json::exception& error) {
     throw file_error(where, error.what(), kExpected);
   }
+}
+
+bool is_unchanged(const Json& certificate) {
+  return certificate.value("checksum", Json()) == checksum_of(certificate);
+}
+
+Json read_certificate(const std::string& path) {
+  Json certificate = parse_certificate(read_file(path, "a certificate"), path);
+  if (!is_unchanged(certificate))
+    throw file_error(path, "does not match its checksum: it was changed", kExpected);
+  return certificate;
 }
 
 AskedQuestion question_of(const Json& certificate, const std::string& where) {

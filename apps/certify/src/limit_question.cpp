@@ -112,7 +112,8 @@ Json to_json(const std::vector<BinRuns>& phase, const Bins& bins, bool claim) {
 }
 
 /// "success >= 0.95 in each of [1.2, 1.1] m, [1.1, 1] m".
-std::string claim_text(double reliability, const LimitResult& result, const Bins& bins) {
+std::string claim_text(double reliability, double confidence, const LimitResult& result,
+                       const Bins& bins) {
   const std::string rate = format_number(reliability);
   std::vector<std::string> claimed;
   for (const BinRuns& step : result.steps)
@@ -125,9 +126,9 @@ std::string claim_text(double reliability, const LimitResult& result, const Bins
       std::max_element(seen.begin(), seen.end(),
                        [](const BinRuns& a, const BinRuns& b) { return a.rate() < b.rate(); });
   // The interval of a bin that was chosen holds for all bins together (Bonferroni).
-  const double confidence = 1 - 0.05 / static_cast<double>(seen.size());
+  const double of_each = 1 - (1 - confidence) / static_cast<double>(seen.size());
   return "nothing can be claimed at " + rate + ": best seen " +
-         rate_text(best->runs, best->runs - best->failures, confidence) + " in " +
+         rate_text(best->runs, best->runs - best->failures, of_each) + " in " +
          bins.text(best->bins);
 }
 
@@ -148,7 +149,7 @@ Json LimitQuestion::claim_at(double reliability, const IniFile& ini, BlockRunner
                       "the easy end first");
   const std::size_t claimed = result.claimed();
   return {{"reliability", reliability},
-          {"claim", claim_text(reliability, result, bins)},
+          {"claim", claim_text(reliability, confidence_, result, bins)},
           {"limit", claimed == 0 ? Json() : Json(bins.hardest(result.steps[claimed - 1].bins))},
           {"pilot", to_json(result.pilot, bins, false)},
           {"steps", to_json(result.steps, bins, true)},
@@ -166,7 +167,7 @@ Json LimitQuestion::failures_of(const Json& claims, const IniFile& ini, BlockRun
     std::size_t index = 0;
     runner.run(runs, curve.at("runs").get<std::size_t>(), [&](const BlockRun& one) {
       if (one.outcome != Outcome::Success)
-        failures.push_back(failure_json(runner, runs, index, one.outcome));
+        failures.push_back(failure_json(runner, runs, index, one));
       ++index;
       return failures.size() < kListedFailures;
     });

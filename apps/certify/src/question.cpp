@@ -107,13 +107,19 @@ std::string rate_text(std::size_t runs, std::size_t successes, double confidence
 }
 
 Json failure_json(const BlockRunner& runner, const RunStream& stream, std::size_t index,
-                  Outcome outcome) {
-  const std::optional<RunDraw> draw = runner.draw(stream, index);
+                  const BlockRun& run) {
+  const std::optional<RunDraw> draw = runner.draw(stream, index, run.again);
   return {{"runs", stream.title},
           {"index", index},
-          {"outcome", to_string(outcome)},
+          {"outcome", to_string(run.outcome)},
           {"scenario", draw ? Json(draw->scenario.hash()) : Json()},
           {"yaml", draw ? Json(scenario_to_yaml(draw->scenario)) : Json()}};
+}
+
+void append_redrawn(Statement& statement, const Json& answer) {
+  if (const auto draws = answer.at("redrawn").get<std::size_t>(); draws > 0)
+    statement.parts.emplace_back(count_text(draws, "draw") +
+                                 " without a solvable scenario replaced by others: no runs");
 }
 
 std::string range_text(const Json& range, const std::string& unit) {

@@ -110,7 +110,7 @@ void RiskQuestion::check(const MethodCampaign& campaign, BlockRunner& runner) {
 
 struct RiskQuestion::Counts {
   std::optional<RateTest> test;
-  std::size_t runs = 0, hits = 0;
+  std::size_t runs = 0, hits = 0, redrawn = 0;
   std::map<Outcome, std::size_t> outcomes;
   Json listed = Json::array();
 
@@ -123,20 +123,22 @@ RunStream RiskQuestion::stream(const IniFile& ini, std::size_t batch) {
 
 Json RiskQuestion::run_batch(const RunStream& runs, std::size_t max_runs, BlockRunner& runner,
                              Counts& counts) const {
-  std::size_t done = 0, hits = 0;
+  std::size_t done = 0, hits = 0, redrawn = 0;
   runner.run(runs, max_runs, [&](const BlockRun& run) {
     const bool hit = is_hit(run.outcome);
     if (hit && counts.listed.size() < kListedHits)
-      counts.listed.push_back(failure_json(runner, runs, done, run.outcome));
+      counts.listed.push_back(failure_json(runner, runs, done, run));
     ++done;
     hits += hit ? 1 : 0;
+    redrawn += run.again;
     ++counts.outcomes[run.outcome];
     if (counts.test) counts.test->add(!hit);
     return !counts.decided();
   });
   counts.runs += done;
   counts.hits += hits;
-  return {{"runs", done}, {"hits", hits}, {"hash", runner.hash(runs.name)}};
+  counts.redrawn += redrawn;
+  return {{"runs", done}, {"hits", hits}, {"redrawn", redrawn}, {"hash", runner.hash(runs.name)}};
 }
 
 /// Keeps what was excluded once: the bound is not above what the test has reached.
@@ -161,6 +163,7 @@ Json RiskQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) c
                  {"runs", counts.runs},
                  {"hits", counts.hits},
                  {"outcome_counts", outcomes},
+                 {"redrawn", counts.redrawn},
                  {"resolution", campaign.options.simulation.resolution},
                  {"seed", campaign.options.seed},
                  {"batches", batches},
@@ -201,6 +204,7 @@ Statement RiskQuestion::statement(const Json& answer) const {
                                std::to_string(answer.at("hits").get<std::size_t>()) +
                                " with the outcome, in cells of " +
                                format_number(answer.at("resolution")) + " m");
+  append_redrawn(statement, answer);
   return statement;
 }
 
@@ -215,7 +219,7 @@ bool RiskQuestion::shows(std::size_t runs, std::size_t hits) const {
 /// Recomputes all that follows from the batches, so that only their runs are left to be executed.
 void RiskQuestion::check_sums(const Json& answer) const {
   const Json& batches = answer.at("batches");
-  std::size_t runs = 0, hits = 0, counted = 0, counted_hits = 0;
+  std::size_t runs = 0, hits = 0, redrawn = 0, counted = 0, counted_hits = 0;
   std::map<Json, std::size_t> hashes;
   for (std::size_t i = 0; i < batches.size(); ++i) {
     const auto size = batches.at(i).at("runs").get<std::size_t>();
@@ -229,6 +233,7 @@ void RiskQuestion::check_sums(const Json& answer) const {
       throw job_error(name, "differs: it has the runs of batch " + std::to_string(other->second));
     runs += size;
     hits += own_hits;
+    redrawn += batches.at(i).at("redrawn").get<std::size_t>();
   }
   for (const auto& [outcome, count] : answer.at("outcome_counts").items()) {
     const auto value = from_name<Outcome>(outcome);
@@ -245,10 +250,11 @@ void RiskQuestion::check_sums(const Json& answer) const {
   const bool claimed = shows(runs, hits);
   expected["runs"] = runs;
   expected["hits"] = hits;
+  expected["redrawn"] = redrawn;
   expected["claimed"] = claimed;
   expected["bound"] = bound_of(runs, hits, claimed);
   expected["claim"] = claim_text(expected);
-  for (const char* key : {"runs", "hits", "claimed", "bound", "claim"})
+  for (const char* key : {"runs", "hits", "redrawn", "claimed", "bound", "claim"})
     if (answer.at(key) != expected.at(key))
       throw job_error(
           key, "differs: " + expected.at(key).dump() + " instead of " + answer.at(key).dump());

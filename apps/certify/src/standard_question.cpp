@@ -116,6 +116,7 @@ Json StandardQuestion::answer(const MethodCampaign& campaign, BlockRunner& runne
     }
   return {{"claim", fmt::format("{} of {} tests passed", passed, tests.size())},
           {"passed", passed},
+          {"redrawn", runner.redrawn()},
           {"resolution", campaign.options.simulation.resolution},
           {"seed", campaign.options.seed},
           {"tests", tests},
@@ -145,6 +146,7 @@ Statement StandardQuestion::statement(const Json& answer) const {
   statement.parts.emplace_back(std::move(table));
   statement.parts.emplace_back("claim: " + answer.at("claim").get<std::string>() +
                                ", in cells of " + format_number(answer.at("resolution")) + " m");
+  append_redrawn(statement, answer);
   statement.parts.emplace_back(
       "after ASTM F3244-21 and ISO 18646-2:2024, not conformant: a simulation in two dimensions");
   return statement;

@@ -284,6 +284,15 @@ Json equals_json(const ParameterSpace& space, const TuneResult& result, double c
       {"compared", equals.compared}, {"equal", equals.candidates.size() - 1}, {"options", options}};
 }
 
+/// The ids of the sealed scenarios that the claim has used.
+Json ids_of(const std::vector<Scenario>& scenarios, const Json& sealed) {
+  constexpr std::size_t kDigits = 12;
+  Json ids = Json::array();
+  for (std::size_t i = 0; i < sealed.at("scenarios").get<std::size_t>(); ++i)
+    ids.push_back(scenarios.at(i).hash().substr(0, kDigits));
+  return ids;
+}
+
 Json TuneQuestion::front_json(const TuneResult& result) const {
   Json front = Json::array();
   for (const FrontPoint& point : front_of(result)) {
@@ -325,7 +334,7 @@ Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) c
         {"default", to_json(counts_of(standard.finals))}}},
       {"not_told_apart", equals_json(*space_, result, search_.confidence)},
       {"sealed", sealed},
-      {"sealed_hash", hash_of(*sets.sealed)},
+      {"sealed_scenarios", sealed.is_null() ? Json::array() : ids_of(*sets.sealed, sealed)},
       {"effects", effects_json(*space_, result, search_.confidence)},
       {"resolution", campaign.options.simulation.resolution},
       {"seed", campaign.options.seed},

@@ -4,7 +4,6 @@
 
 #include <slalom/campaign/describe_scenario.h>
 #include <slalom/core/error.h>
-#include <slalom/core/hash.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_import.h>
@@ -123,12 +122,6 @@ std::vector<double> descriptor_values(const std::vector<Scenario>& scenarios,
     values.push_back(value.is_na() ? std::numeric_limits<double>::quiet_NaN() : value.number());
   }
   return values;
-}
-
-std::string hash_of(const std::vector<Scenario>& scenarios) {
-  Hasher hasher;
-  for (const Scenario& scenario : scenarios) hasher.add(scenario.hash());
-  return hasher.hex();
 }
 
 }  // namespace slalom

@@ -32,7 +32,4 @@ TuneScenarios make_tune_scenarios(const MethodCampaign& campaign, const TuneSize
 std::vector<double> descriptor_values(const std::vector<Scenario>& scenarios,
                                       const MethodCampaign& campaign, const std::string& id);
 
-/// Hash of their contents.
-std::string hash_of(const std::vector<Scenario>& scenarios);
-
 }  // namespace slalom

@@ -55,6 +55,7 @@ struct BlockRun {
   Outcome outcome = Outcome::InfrastructureError;
   std::optional<double> value;  ///< of the metric of the execution
   std::uint64_t digest = 0;     ///< of scenario and trajectory
+  std::size_t again = 0;        ///< draws before this one, which the robot cannot solve
 };
 using ReceiveRun = std::function<bool(const BlockRun& run)>;
 
@@ -79,12 +80,17 @@ class BlockRunner {
   void check(const RunStream& stream) const;
 
   /// Passes the runs of the stream from the first one on, in order, to `receive` until it returns
-  /// false, or `max_runs` of them. Throws Interrupted, and Error (Job) for runs that
-  /// cannot be executed.
+  /// false, or `max_runs` of them. A draw that the robot cannot solve is a run only if its stream
+  /// has parameters, whose values it may be due to; else another one takes its place. Throws
+  /// Interrupted, and Error (Job) for runs that cannot be executed or drawn.
   void run(const RunStream& stream, std::size_t max_runs, const ReceiveRun& receive);
 
-  /// The scenario and the options of a run; none if 200 draws give no scenario that is solvable.
-  std::optional<RunDraw> draw(const RunStream& stream, std::size_t index) const;
+  /// The scenario and the options of a run, after so many draws for it that the robot cannot solve;
+  /// none if the sources give no scenario that is solvable.
+  std::optional<RunDraw> draw(const RunStream& stream, std::size_t index, std::size_t again) const;
+
+  /// Draws that are no runs, since the robot cannot solve them, of the runs that were passed on.
+  std::size_t redrawn() const;
 
   /// Hash of scenarios, outcomes and trajectories of the runs that were passed on: of a stream, or
   /// of all whose names have the prefix, in the order of the names.

@@ -42,6 +42,10 @@ bool answers(const Json& certificate, AskedQuestion& asked);
 
 /// Throws Error (File) at `where` for text that is no certificate.
 Json parse_certificate(const std::string& text, const std::string& where);
+/// Whether its checksum is that of its content.
+bool is_unchanged(const Json& certificate);
+/// Throws Error (File) for a file that is no certificate, or was changed.
+Json read_certificate(const std::string& path);
 AskedQuestion question_of(const Json& certificate, const std::string& where);
 Statement statement_of(const Json& certificate, const std::string& where);
 

@@ -40,8 +40,8 @@ RateEstimate betting_estimate(const std::vector<double>& values, double low, dou
 /// success is higher. If it is not, that happens with a probability of at most (1 - confidence) /
 /// 2, also if the number of scenarios is increased later.
 ///
-/// Intervals are valid at the end, however early (betting_interval()). That of the difference is
-/// above 0 exactly if the configuration is Better. The difference itself would be too large after
+/// Intervals are valid at the end, however early (betting_interval()). That of the difference
+/// reaches below 0 if and only if the configuration is not shown to be Better. The difference itself would be too large after
 /// an early stop; hence the minimum of 200 scenarios.
 class SealedClaim {
  public:
