@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 
 namespace slalom {
 
@@ -57,6 +58,9 @@ class FileIdentity {
   explicit FileIdentity(const std::string& path);
 
   std::int64_t size() const { return size_; }  ///< bytes, when it was looked at
+  bool operator<(const FileIdentity& other) const {
+    return std::tie(device_, node_) < std::tie(other.device_, other.node_);
+  }
   /// "was removed" or "was replaced" by another program, "" if the path still leads to the file.
   std::string change(const std::string& path) const;
 

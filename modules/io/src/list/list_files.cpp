@@ -3,8 +3,12 @@
 #include "scenario_list_impl.h"
 #include "sibling_temp_file.h"
 
+#include <slalom/core/printable.h>
+
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <sqlite3.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -32,6 +36,19 @@ std::unique_ptr<SQLite::Database> lock_old(const std::string& path) {
 void publish(SiblingTempFile& draft, const std::string& path) {
   const auto old = lock_old(path);
   draft.publish();
+}
+
+/// Once for each file: rows of damaged pages, or missing from an index, would be left out silently.
+void expect_sound(SQLite::Database& database, const std::string& path, const FileIdentity& file) {
+  static std::mutex mutex;
+  static std::set<FileIdentity> sound;
+  const std::lock_guard lock(mutex);
+  if (sound.count(file) > 0) return;
+  const std::string found =
+      reading(path, [&] { return database.execAndGet("PRAGMA integrity_check(1)").getString(); });
+  if (found != "ok")
+    throw file_error(path, "is damaged (" + printable_line(found) + ")", "an unmodified file");
+  sound.insert(file);
 }
 
 }  // namespace
@@ -63,6 +80,7 @@ ScenarioList ScenarioList::open(const std::string& path) {
   impl->path = path;
   impl->file = FileIdentity(path);
   impl->database = open_database(path, kScenarioList);
+  expect_sound(*impl->database, path, impl->file);
   return ScenarioList(std::move(impl));
 }
 

@@ -2,12 +2,16 @@
 #include "error_text.h"
 #include "list_sample.h"
 
+#include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <random>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -50,6 +54,55 @@ TEST(ListFile, AReplacedFileIsNotWritten) {
   std::filesystem::remove(path);
   EXPECT_TRUE(
       throws_error(ErrorKind::Job, path, {"was removed"}, [&] { list.remove(rows[0].hash); }));
+}
+
+/// What programs read of a list, in three ways; or the kind of its error.
+std::vector<std::string> read_in_three_ways(const std::string& path) {
+  try {
+    const ScenarioList list = ScenarioList::open(path);
+    std::vector<std::string> hashes, selected, values;
+    for (const auto& entry : list.entries()) hashes.push_back(list.read(entry.hash).hash());
+    for (const auto& entry : list.select({})) selected.push_back(entry.hash);
+    EXPECT_EQ(hashes, selected) << path;
+    EXPECT_EQ(hashes.size(), list.size()) << path;
+    return hashes;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::File) << path << ": " << error.what();
+    return {};
+  }
+}
+
+TEST(ListFile, DamageIsAnErrorAndNeverAShorterList) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.scenarios";
+  std::vector<SampleRow> rows;
+  sample_list(path, 20, 1, rows);
+  const std::vector<std::string> whole = read_in_three_ways(path);
+  ASSERT_EQ(whole.size(), 20U);
+  const std::string bytes = read_file(path);
+  std::size_t variants = 0, errors = 0;
+  const auto expect_whole_or_error = [&](const std::string& damaged) {
+    // A name of its own: a file is checked once.
+    const std::string copy = folder / ("b" + std::to_string(variants++) + ".scenarios");
+    std::ofstream(copy, std::ios::binary) << damaged;
+    const std::vector<std::string> found = read_in_three_ways(copy);
+    if (!found.empty()) EXPECT_EQ(found, whole) << copy;
+    errors += found.empty() ? 1 : 0;
+  };
+  for (const std::size_t size : {std::size_t{4096}, std::size_t{512}, std::size_t{16}})
+    for (std::size_t at = 0; at < bytes.size(); at += std::max<std::size_t>(size / 2, 101)) {
+      std::string damaged = bytes;
+      damaged.replace(at, std::min(size, bytes.size() - at), std::min(size, bytes.size() - at),
+                      char{0});
+      expect_whole_or_error(damaged);
+    }
+  std::mt19937 random(1);
+  for (int i = 0; i < 300; ++i) {
+    std::string damaged = bytes;
+    damaged[random() % bytes.size()] ^= static_cast<char>(1U << random() % 8);
+    expect_whole_or_error(damaged);
+  }
+  EXPECT_GT(errors, 100U);
 }
 
 TEST(ListFile, ChangesByAnotherProgramAreVisible) {

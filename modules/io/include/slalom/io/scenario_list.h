@@ -36,8 +36,9 @@ class ScenarioList : public DescriptorStore {
   /// Creates a list with the contents written by `fill`, atomically: an existing file is replaced
   /// when the list is complete, and kept when `fill` throws.
   static void write(const std::string& path, const std::function<void(ScenarioList&)>& fill);
-  /// Opens an existing list. Throws Error (File) when the file
-  /// is missing, not a scenario list, or of an unsupported version.
+  /// Opens an existing list. The first time in a program its pages and indexes are checked as a
+  /// whole. Throws Error (File) when the file is missing, not a scenario list, of an unsupported
+  /// version, or damaged.
   static ScenarioList open(const std::string& path);
   /// Throws Error (File) if there is a file of another kind, which write() would not replace.
   static void expect_replaceable(const std::string& path);
