@@ -19,7 +19,6 @@ using mrpt::img::TColor;
 using mrpt::math::TPoint2D;
 
 const TColor kObstacle(0x8a, 0x8f, 0x98), kStart(0x0b, 0x6e, 0x4f), kGoal(0xb0, 0x00, 0x20);
-const TColor kShortest(0x11, 0x11, 0x11), kSafest(0x77, 0x77, 0x77);
 
 /// The color "#RRGGBB".
 TColor color_of(const std::string& text) {
@@ -61,6 +60,39 @@ class Canvas {
     for (std::size_t i = 1; i < path.size(); ++i) line(path[i - 1], path[i], color, width);
   }
 
+  /// Dashes and gaps continue around corners, as in SVG.
+  void path(const Path& path, const LineStyle& style) {
+    const auto width = static_cast<unsigned>(round(style.width));
+    const double period = style.dash + style.gap;
+    double before = 0;  // pixels along the path
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const TPoint2D from = frame_.to_pixels(path[i - 1]), to = frame_.to_pixels(path[i]);
+      const double length = (to - from).norm();
+      if (length == 0) continue;
+      for (double dash = period * std::floor(before / period); dash < before + length;
+           dash += period) {
+        const double begin = std::max(dash, before) - before;
+        const double end = std::min(dash + style.dash, before + length) - before;
+        if (begin >= end) continue;
+        const TPoint2D a = from + (to - from) * (begin / length);
+        const TPoint2D b = from + (to - from) * (end / length);
+        image_.line(round(a.x), round(a.y), round(b.x), round(b.y), color_of(style.color), width);
+      }
+      before += length;
+    }
+  }
+
+  /// The end of a trajectory: a disc, or a cross for one that failed.
+  void end(const SceneTrajectory& trajectory, const TColor& color) {
+    if (trajectory.path.empty()) return;
+    const TPoint2D& at = trajectory.path.back();
+    const bool failed = trajectory.outcome && *trajectory.outcome != Outcome::Success;
+    const double r = (failed ? 4.5 : 3.5) / frame_.scale();
+    if (!failed) return disc(at, r, color);
+    line({at.x - r, at.y - r}, {at.x + r, at.y + r}, color, 3);
+    line({at.x - r, at.y + r}, {at.x + r, at.y - r}, color, 3);
+  }
+
   void line(const TPoint2D& a, const TPoint2D& b, const TColor& color, unsigned width) {
     const TPoint2D from = frame_.to_pixels(a), to = frame_.to_pixels(b);
     image_.line(round(from.x), round(from.y), round(to.x), round(to.y), color, width);
@@ -91,7 +123,7 @@ class Canvas {
 
 void draw_mover(Canvas& canvas, const DrawnMover& drawn, const std::optional<double>& time) {
   const Mover& mover = drawn.mover;
-  canvas.path(drawn.path, color_of(drawn.edge_color()), 1);
+  canvas.path(drawn.path, drawn.line());
   const double t = instant_shown(mover, time);
   if (!mover.present(t)) return;
   canvas.disc(mover.position(t), mover.radius, color_of(drawn.color()));
@@ -113,11 +145,16 @@ void render_png(const Scenario& scenario, const SceneOptions& options, const std
   for (const DrawnMover& drawn : drawn_movers(scenario, options))
     draw_mover(canvas, drawn, options.time);
   if (options.references != nullptr) {
-    if (options.references->safest) canvas.path(options.references->safest->path, kSafest, 1);
-    if (options.references->shortest) canvas.path(options.references->shortest->path, kShortest, 1);
+    if (const auto& safest = options.references->safest)
+      canvas.path(safest_line(safest->path), kSafestLine);
+    if (const auto& shortest = options.references->shortest)
+      canvas.path(shortest->path, kShortestLine);
   }
-  for (std::size_t i = 0; i < options.trajectories.size(); ++i)
-    canvas.path(options.trajectories[i].path, color_of(options.trajectories[i], i), 2);
+  for (std::size_t i = 0; i < options.trajectories.size(); ++i) {
+    const TColor color = color_of(options.trajectories[i], i);
+    canvas.path(options.trajectories[i].path, color, 2);
+    canvas.end(options.trajectories[i], color);
+  }
   const auto& start = scenario.start();
   const TPoint2D at(start.x, start.y);
   const double r = options.robot_radius;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/io/path_simplify.h>
 #include <slalom/io/svg_scene.h>
 
 #include <algorithm>
@@ -32,6 +33,18 @@ class SvgFrame {
 /// than a pixel are grouped into blocks, occupied if any of their cells is.
 std::string obstacles_svg(const Scenario& scenario, const SvgFrame& frame);
 
+/// How a line is drawn, in pixels; drawn in full without a gap.
+struct LineStyle {
+  const char* color;
+  double width, dash = 1, gap = 0;
+};
+constexpr LineStyle kShortestLine = {"#111111", 1.2, 7, 3}, kSafestLine = {"#555555", 1.5, 2, 3};
+
+/// The safest path follows cells: simplified to about one.
+inline Path safest_line(const Path& path) {
+  return simplify(path, 0.05);
+}
+
 /// A moving obstacle or a person in a picture.
 struct DrawnMover {
   bool is_person = false;
@@ -42,6 +55,7 @@ struct DrawnMover {
   std::string name() const { return (is_person ? "person " : "moving obstacle ") + mover.id; }
   const char* color() const { return is_person ? "#a78bda" : "#e0a030"; }
   const char* edge_color() const { return is_person ? "#4b2e83" : "#8a5a00"; }
+  LineStyle line() const { return {edge_color(), 1, 4, 2}; }  ///< of its path
 };
 
 /// A person without a record is at its start, or absent if the picture has a time.

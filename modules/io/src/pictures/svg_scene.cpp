@@ -79,8 +79,7 @@ class Picture {
   void draw(const DrawnMover& drawn) {
     const Mover& mover = drawn.mover;
     const double t = instant_shown(mover, options_.time);
-    svg_ += line(drawn.path, drawn.css_class(), drawn.edge_color(),
-                 "stroke-width=\"1\" stroke-dasharray=\"4 2\"", drawn.name());
+    svg_ += line(drawn.path, drawn.css_class(), drawn.line(), drawn.name());
     if (!mover.present(t)) return;
     const std::string title = drawn.name() + " at " + format_number(t) + " s";
     const TPoint2D center = frame_.to_pixels(mover.position(t));
@@ -94,12 +93,11 @@ class Picture {
   void draw_references() {
     if (options_.references == nullptr) return;
     if (options_.references->safest)
-      // It follows cells: simplified to about one cell.
-      svg_ += line(simplify(options_.references->safest->path, 0.05), "reference safest", "#555555",
-                   "stroke-width=\"1.5\" stroke-dasharray=\"2 3\"", "safest path");
+      svg_ += line(safest_line(options_.references->safest->path), "reference safest", kSafestLine,
+                   "safest path");
     if (options_.references->shortest)
-      svg_ += line(options_.references->shortest->path, "reference shortest", "#111111",
-                   "stroke-width=\"1.2\" stroke-dasharray=\"7 3\"", "shortest path");
+      svg_ += line(options_.references->shortest->path, "reference shortest", kShortestLine,
+                   "shortest path");
   }
 
   void draw(const SceneTrajectory& trajectory, std::size_t index) {
@@ -118,6 +116,14 @@ class Picture {
           "fill=\"none\"><title>{}</title></path>",
           end.x, end.y, failure_mark(*outcome), html_escape(color), html_escape(title));
     }
+  }
+
+  std::string line(const Path& path, const std::string& css_class, const LineStyle& style,
+                   const std::string& title) const {
+    return line(path, css_class, style.color,
+                fmt::format("stroke-width=\"{}\" stroke-dasharray=\"{} {}\"", style.width,
+                            style.dash, style.gap),
+                title);
   }
 
   std::string line(const Path& path, const std::string& css_class, const std::string& color,
