@@ -112,6 +112,15 @@ std::string point(double x, double y, double radius, const std::string& color, d
       y, radius, color, opacity);
 }
 
+/// A mean over the runs with a value, hollow where it is that of the survivors only.
+std::string mean_point(double x, double y, const Cell& cell, const std::string& color) {
+  const bool hollow = is_survivors_only(cell.n, cell.available);
+  return fmt::format(
+      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" "
+      "stroke-width=\"1.4\"><title>n = {} of {}</title></circle>",
+      x, y, 3, hollow ? "#ffffff" : color, color, cell.available, cell.n);
+}
+
 /// The colors of outcomes in reports.
 std::string outcome_color(const std::string& outcome) {
   if (outcome == "success") return "#11703f";
@@ -168,6 +177,7 @@ std::string lines_figure(const QuantityInfo& info, const std::string& x_label,
     return x_at((static_cast<double>(category) + 0.5) / static_cast<double>(categories.size()));
   };
   std::string content = frame(x_label, label_of(info)) + y_ticks(axis);
+  bool any_hollow = false;
   for (std::size_t i = 0; i < categories.size(); ++i)
     content += text(x_of(i), y_at(0) + 18, "middle", categories[i]);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -180,14 +190,18 @@ std::string lines_figure(const QuantityInfo& info, const std::string& x_label,
       if (cell == nullptr) continue;
       const double x = x_of(at) + shift, y = y_at(axis.part(*cell->estimate));
       points += fmt::format("{:.1f},{:.1f} ", x, y);
-      marks += point(x, y, 3, color);
       if (cell->interval)
         marks += segment(x, y_at(axis.part(cell->interval->low)), x,
                          y_at(axis.part(cell->interval->high)), 1.2, color);
+      marks += mean_point(x, y, *cell, color);
+      any_hollow = any_hollow || is_survivors_only(cell->n, cell->available);
     }
     content += polyline(points, color) + marks + legend(i, lines[i].name, color);
   }
-  return chart(content, lines.size());
+  if (any_hollow)
+    content += text(x_at(1) + 15, kMargin + kLine * static_cast<double>(lines.size()) + 8, "start",
+                    "hollow: > 10 % of runs NA");
+  return chart(content, lines.size() + 1);
 }
 
 /// The cell, if it has an estimate.

@@ -105,6 +105,18 @@ TEST(Figures, AMetricOverBinsIsALineThroughItsEstimates) {
   EXPECT_EQ(count(svg, ">b &amp; c</text>"), 1U);
 }
 
+TEST(Figures, AMeanOfSurvivorsIsHollow) {
+  ResultTable runs = lengths();
+  const auto tables =
+      build_cross_tables(runs, {parse_bin_spec("density:0,0.4")}, {"path_length"}, {});
+  const std::string svg = bins_figure(tables, tables.front().columns.front());
+  // "a" has lengths of 4 of its 5 runs, "b & c" of its only one.
+  EXPECT_EQ(count(svg, "fill=\"#ffffff\" stroke="), 1U) << svg;
+  EXPECT_EQ(count(svg, "<title>n = 4 of 5</title>"), 1U);
+  EXPECT_EQ(count(svg, "<title>n = 1 of 1</title>"), 1U);
+  EXPECT_EQ(count(svg, "hollow: "), 1U);
+}
+
 TEST(Figures, AHistoryIsALineOverTheResults) {
   const std::vector<ResultTable> results = {lengths(), lengths()};
   ComparisonOptions options;
