@@ -4,6 +4,7 @@
 #include <mrpt/img/CImage.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace slalom {
 namespace {
@@ -400,6 +401,46 @@ TEST_F(StudioList, PutsAnEditedScenarioWhereItBelongs) {
   EXPECT_TRUE(std::is_sorted(densities.begin(), densities.end())) << shown;
   EXPECT_NE(shown.find("current, selected"), std::string::npos) << shown;
   EXPECT_EQ(shown.find("row 0: "), std::string::npos) << "it was the first: " << shown;
+}
+
+TEST_F(StudioList, EditsTheSameScenarioAgainUnderAFilterOfItsValues) {
+  make_described_list(30);
+  const std::string before = names("a.scenarios");
+  expect_played(
+      "size 1280 800\n"
+      "wait idle\n"
+      "click filter\n"
+      "type \"density > 0\"\n"
+      "key Enter\n"
+      "key Escape\n"
+      "wait idle\n"
+      "click list \"row 0\"\n"
+      "wait idle\n"
+      "click view \"tool disc\"\n"
+      "drag view \"at 4 1.5\" to view \"at 4 2.5\"\n"
+      "drag view \"at 4 1.5\" to view \"at 4 2\"\n"
+      "wait idle\n",
+      "a.scenarios");
+  std::istringstream old_lines(before), new_lines(names("a.scenarios"));
+  int changed = 0;
+  for (std::string a, b; std::getline(old_lines, a) && std::getline(new_lines, b);)
+    changed += a != b ? 1 : 0;
+  EXPECT_EQ(changed, 1);
+}
+
+TEST_F(StudioList, EscapeRestoresTheFilterOfTheViewAfterAnInvalidOne) {
+  make_described_list(3);
+  expect_played(
+      "wait idle\n"
+      "click filter\n"
+      "type \"density > 0\"\n"
+      "key Enter\n"
+      "type \"foo > 1\"\n"
+      "key Enter\n"
+      "expect list contains \"'foo'\"\n"
+      "key Escape\n"
+      "expect filter is \"density > 0\"\n",
+      "a.scenarios");
 }
 
 TEST_F(StudioList, HasKeysForDirectionGroupsAndTabs) {

@@ -69,7 +69,8 @@ void Studio::open_list(const std::string& path) {
     if (source != active()) return;
     if (change == Change::Current) return current_changed();
     if (change == Change::Command) return events_.show_status(source->history().undo_title());
-    if (change == Change::CurrentRow) return events_.publish(change);
+    if (change == Change::CurrentRow || change == Change::CurrentLost)
+      return events_.publish(change);
     events_.publish(change);
     read_list_values();
   });

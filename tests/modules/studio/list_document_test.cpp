@@ -5,6 +5,8 @@
 #include <slalom/studio/jobs.h>
 #include <slalom/studio/list_document.h>
 
+#include <algorithm>
+
 namespace slalom {
 namespace {
 
@@ -79,10 +81,42 @@ TEST_F(ListDocuments, LeaveTheViewUnchangedOnAnInvalidFilter) {
       << document_.filter_error();
   EXPECT_EQ(document_.filter_text(), "densitty > 0.6");
   EXPECT_EQ(shown(), (Numbers{6, 7}));
-  document_.set_filter("density > 0.5");
+  document_.restore_filter();
+  EXPECT_EQ(document_.filter_text(), "density > 0.5");
   EXPECT_EQ(document_.filter_error(), "");
+  EXPECT_EQ(shown(), (Numbers{6, 7}));
   document_.set_filter("");
   EXPECT_EQ(shown().size(), 10U);
+}
+
+TEST_F(ListDocuments, KeepAnEditedScenarioUnderAFilterUntilItsValuesAreComputed) {
+  std::vector<Change> changes;
+  document_.set_filter("density > 0.2");
+  EXPECT_EQ(shown(), (Numbers{3, 4, 5, 6, 7}));
+  document_.set_current(hash_of(4));
+  document_.observe([&](Change change) { changes.push_back(change); });
+  const auto lost = [&] { return std::count(changes.begin(), changes.end(), Change::CurrentLost); };
+  const Scenario edited = make_scenario(104).renamed("world_4");
+  document_.edit_current(edited);
+  EXPECT_EQ(shown(), (Numbers{3, 4, 5, 6, 7})) << "its density is not known";
+  EXPECT_EQ(document_.current(), edited.hash());
+  const Scenario again = make_scenario(204).renamed("world_4");
+  document_.edit_current(again);
+  EXPECT_EQ(shown(), (Numbers{3, 4, 5, 6, 7}));
+  EXPECT_EQ(document_.current(), again.hash());
+  EXPECT_EQ(lost(), 0);
+
+  const ValueKey key = descriptor_view({"density"}, {}).at("density").front();
+  document_.store_values(again.hash(), {{key, Value::of(0.9)}});
+  EXPECT_EQ(shown(), (Numbers{3, 4, 5, 6, 7})) << "the filter still holds";
+  EXPECT_EQ(document_.current(), again.hash());
+  EXPECT_EQ(lost(), 0);
+
+  document_.edit_current(edited);
+  document_.store_values(edited.hash(), {{key, Value::of(0.1)}});
+  EXPECT_EQ(shown(), (Numbers{3, 5, 6, 7})) << "it does no longer";
+  EXPECT_EQ(document_.current(), hash_of(5));
+  EXPECT_EQ(lost(), 1) << "whoever acts on the current scenario is told";
 }
 
 TEST_F(ListDocuments, ReadRowsWithTheValueTheyAreSortedBy) {

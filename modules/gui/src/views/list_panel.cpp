@@ -49,7 +49,7 @@ class ListPanel : public Element {
   ListPanel(nanogui::Widget* parent, Studio& studio)
       : Element(parent, "list", Focus::OnPress),
         studio_(studio),
-        filter_(new FilterBox(this, [this] { rows_->requestFocus(); })),
+        filter_(new FilterBox(this, [this] { leave_filter(); })),
         rows_(make_list_rows(this, studio)),
         choices_(new Menu(this, "choices", rows_)) {
     filter_->setFontSize(15);
@@ -228,6 +228,10 @@ class ListPanel : public Element {
     filter_->setSize({std::max(width() - 2 * margin - cross, 1), static_cast<int>(kControlHeight)});
     const double top = controls_top(message_height_) + kControlHeight + kListMargin;
     rows_->set_bounds({0, top, area().width, height() - kListFooterHeight - top});
+  }
+  void leave_filter() {
+    if (document() != nullptr) document()->restore_filter();
+    rows_->requestFocus();
   }
   void clear_filter() {
     filter_->set_text("");

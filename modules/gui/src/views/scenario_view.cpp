@@ -61,6 +61,8 @@ ScenarioView::ScenarioView(nanogui::Widget* parent, Studio& studio, Mode mode)
       layers_(make_scene_layers()),
       layout_(make_layout()) {
   studio.events().observe({Change::Scene}, [this] { set_scene(studio_.scenes().scene()); });
+  // The next click must not edit a scenario that nobody chose.
+  studio.events().observe({Change::CurrentLost}, [this] { editor_.set_tool(EditTool::Look); });
 }
 
 ViewLayout ScenarioView::make_layout() const {

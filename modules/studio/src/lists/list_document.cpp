@@ -59,7 +59,14 @@ void ListDocument::set_filter(const std::string& text) {
   }
   filter_error_.clear();
   request_.filter = text;
+  request_.held.reset();
   refresh();
+}
+
+void ListDocument::restore_filter() {
+  filter_text_ = request_.filter;
+  filter_error_.clear();
+  notify(Change::View);
 }
 
 void ListDocument::set_sort(const std::string& field, bool descending) {
@@ -176,12 +183,11 @@ void ListDocument::keep_current_valid(const std::optional<std::size_t>& old_posi
     return notify(Change::CurrentRow);
   }
   if (view_.index_of(current_)) return;
-  if (view_.hashes.empty()) {
-    if (current_.empty()) return;
-    current_.clear();
-  } else {
-    current_ = view_.hashes[std::min(old_position.value_or(0), view_.hashes.size() - 1)];
-  }
+  if (view_.hashes.empty() && current_.empty()) return;
+  if (!current_.empty()) notify(Change::CurrentLost);
+  current_ = view_.hashes.empty()
+                 ? ""
+                 : view_.hashes[std::min(old_position.value_or(0), view_.hashes.size() - 1)];
   notify(Change::Current);
 }
 

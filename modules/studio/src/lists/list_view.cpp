@@ -104,18 +104,28 @@ void group(ListView& view, const ScenarioList& list, const ListIndex& index) {
   view.by_hash = sorted_indices(view.hashes);
 }
 
-/// Moves a scenario from the end, where those without a value are, to its index.
+/// Moves a scenario from the end, where those without a value are, to its index; puts one there
+/// that the filter left out.
 void hold(std::vector<std::string>& hashes, const ListViewRequest::Held& held) {
   const auto from = std::find(hashes.begin(), hashes.end(), held.hash);
-  if (from == hashes.end() || from - hashes.begin() <= static_cast<std::ptrdiff_t>(held.index))
-    return;
-  std::rotate(hashes.begin() + static_cast<std::ptrdiff_t>(held.index), from, from + 1);
+  const auto to = hashes.begin() + static_cast<std::ptrdiff_t>(std::min(held.index, hashes.size()));
+  if (from == hashes.end())
+    hashes.insert(to, held.hash);
+  else if (from > to)
+    std::rotate(to, from, from + 1);
 }
 
+/// Whether filter or order need a value of the scenario that is not known: of a descriptor that is
+/// not computed, or of runs, which a new scenario does not have.
 bool lacks_value(const ScenarioList& list, const std::string& hash,
-                 const std::vector<ValueKey>& keys) {
-  const std::vector<std::string> missing = list.missing_values(keys);
-  return std::find(missing.begin(), missing.end(), hash) != missing.end();
+                 const ListSelection& selection) {
+  ListSelection one;
+  one.hashes = {hash};
+  if (list.count(one) == 0) return false;
+  if (!selection.fields.empty()) return true;
+  return std::any_of(selection.view.begin(), selection.view.end(), [&](const auto& keys) {
+    return contains(list.missing_values(keys.second), hash);
+  });
 }
 
 double height_of_rows(std::size_t scenarios, const ListLines::Layout& layout) {
@@ -163,8 +173,7 @@ ListView make_list_view(const ScenarioList& list, const ListViewRequest& request
   view.hashes = hashes_of(list, selection);
   if (request.sort.empty() && request.descending)
     std::reverse(view.hashes.begin(), view.hashes.end());
-  if (request.held && is_descriptor_sort(request) &&
-      lacks_value(list, request.held->hash, selection.view.at(request.sort)))
+  if (request.held && lacks_value(list, request.held->hash, selection))
     hold(view.hashes, *request.held);
   view.by_hash = sorted_indices(view.hashes);
   if (!request.group_by.empty()) group(view, list, list.index(request.group_by));

@@ -60,14 +60,16 @@ class ListDocument {
   CommandHistory& history() { return history_; }
 
   /// `observer` is called with Change::Current and Change::View after they may have changed, with
-  /// Change::CurrentRow when the current scenario was put into another row, and with
-  /// Change::Command after a command.
+  /// Change::CurrentRow when the current scenario was put into another row, with
+  /// Change::CurrentLost before another one takes its place, and with Change::Command after a
+  /// command.
   void observe(std::function<void(Change)> observer) { observer_ = std::move(observer); }
 
   // The view. Each setter recomputes it.
   const ListViewRequest& request() const { return request_; }
   /// An invalid filter sets filter_error() and leaves the view unchanged.
   void set_filter(const std::string& text);
+  void restore_filter();  ///< forgets an invalid filter: that of the view is shown again
   void set_sort(const std::string& field, bool descending);
   const std::string& sort_unit() const { return sort_unit_; }  ///< "-" for none
   void set_group_by(const std::string& index);

@@ -74,7 +74,7 @@ struct ListViewRequest {
   DescribeOptions describe = {};  ///< robot and sensor of the values to use
   /// Whose fields filter and sort may use; null for none.
   std::shared_ptr<const ResultFields> results = nullptr;
-  /// A scenario that keeps this index while its sort value is not computed.
+  /// A scenario that keeps this index while a value that filter or order need is not computed.
   struct Held {
     std::string hash;
     std::size_t index;

@@ -18,6 +18,7 @@ enum class Change {
   Command,      ///< a command was executed on the active list
   Current,      ///< another current scenario, or another content of it
   CurrentRow,   ///< the current scenario was put into another row
+  CurrentLost,  ///< the current scenario left the view: nobody chose the one that is next
   Scene,        ///< of the current scenario
   Descriptors,  ///< of the current scenario
   ListValues,   ///< descriptors of the active list
