@@ -66,8 +66,6 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
     verb.add_option("--parameter", a.request.parameter,
                     "Swept parameter: SECTION.KEY of the campaigns' .ini");
     verb.add_option("--values", a.request.values, "Its values, one per file, comma-separated");
-    verb.add_flag("--allow-differences", a.request.allow_differences,
-                  "Accept campaigns that differ in other settings");
   }
   if (id == "table") {
     a.jobs = default_jobs();
@@ -78,6 +76,10 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
   }
   if (id == "compare" || id == "robustness" || id == "history") {
     add_comparison_options(verb, a);
+    verb.add_flag(
+        "--despite-settings", a.request.despite_settings,
+        "Compare campaigns that differ in settings of robot, sensors, simulation, people, "
+        "limits, references or metrics");
     CLI::Option* latex = verb.add_flag("--latex", a.latex, "Print the tables as LaTeX");
     verb.add_flag("--html", a.html, "Print one HTML page, to be read or printed on A4 paper")
         ->excludes(latex);

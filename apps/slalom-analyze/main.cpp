@@ -38,7 +38,7 @@ struct Arguments {
   std::vector<std::string> all_results;  ///< of report
   std::string results, rows, columns, output, run;
   double confidence = 0;  ///< 0: that of the campaign
-  bool json = false, quiet = false, single_file = false;
+  bool json = false, quiet = false, single_file = false, despite_settings = false;
 };
 
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& help,
@@ -104,6 +104,7 @@ void report_several(const std::vector<std::string>& paths, const std::vector<Res
   request.rows = arguments.rows;
   request.metrics = arguments.columns;
   request.confidence = arguments.confidence;
+  request.despite_settings = arguments.despite_settings;
   report_history(paths, results, request, output, [&](std::size_t i, const std::string& folder) {
     report_one(paths[i], results[i], folder, arguments);
   });
@@ -169,6 +170,8 @@ void define_report(CLI::App& app, Arguments& arguments) {
                    "Folder to write to, or a file FILE.html that contains all of it, for mail")
       ->required();
   verb->add_flag("--single-file", arguments.single_file, "One file, whatever the name of --output");
+  verb->add_flag("--despite-settings", arguments.despite_settings,
+                 "Several files: verdicts also of campaigns that differ in other settings");
   verb->add_flag("--quiet", arguments.quiet, "No messages");
   verb->callback([&arguments] { report_verb(arguments); });
 }

@@ -267,7 +267,7 @@ TEST_F(Analyze, ComparesTimesOfRunsThatReachedTheGoal) {
   EXPECT_NE(summary.out.find("time on the 10 scenarios that all 2 methods solved"),
             std::string::npos)
       << summary.out;
-  EXPECT_EQ(summary.out.find("never collides"), std::string::npos) << summary.out;
+  EXPECT_EQ(summary.out.find("collides in none"), std::string::npos) << summary.out;
   const ProgramResult completion = run("slalom-analyze completion runs.csv");
   EXPECT_NE(completion.out.find("a: 10 of 20 runs reached the goal"), std::string::npos)
       << completion.out << completion.err;

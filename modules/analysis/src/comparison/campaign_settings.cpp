@@ -4,6 +4,8 @@
 #include <slalom/core/text.h>
 #include <slalom/results/repeatability.h>
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 namespace slalom {
@@ -62,6 +64,30 @@ std::vector<std::string> campaign_differences(const Manifest& a, const Manifest&
     if (before != after) differences.push_back(key + ": " + before + ", " + after);
   }
   return differences;
+}
+
+std::vector<std::string> task_differences(const Manifest& a, const Manifest& b) {
+  std::vector<std::string> differences = campaign_differences(a, b, {});
+  const auto is_of_task = [](const std::string& difference) {
+    const std::string section = difference.substr(0, difference.find('.'));
+    return contains({"robot", "sensor", "laser", "odometry", "tracks", "simulation", "people",
+                     "reference", "metrics", "limits"},
+                    section);
+  };
+  differences.erase(std::remove_if(differences.begin(), differences.end(), std::not_fn(is_of_task)),
+                    differences.end());
+  return differences;
+}
+
+std::vector<std::string> difference_sentences(const std::vector<ResultTable>& results) {
+  std::vector<std::string> sentences;
+  for (std::size_t i = 1; i < results.size(); ++i) {
+    const ResultTable &a = results[i - 1], &b = results[i];
+    const std::string which = results.size() > 2 ? " of " + a.source + " and " + b.source : "";
+    for (const std::string& difference : campaign_differences(a.manifest, b.manifest, {}))
+      sentences.push_back("the campaigns" + which + " differ: " + difference);
+  }
+  return sentences;
 }
 
 }  // namespace slalom

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/analysis/campaign_settings.h>
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/analysis/power.h>
@@ -207,6 +208,7 @@ bool excludes_zero(const PairedComparison& comparison) {
 }
 
 Verdict verdict_of(const PairedComparison& comparison) {
+  if (comparison.other_settings) return Verdict::OtherSettings;
   if (comparison.identical) return Verdict::Identical;
   const bool rejects = comparison.adjusted_p <= test_level(comparison.confidence);
   if (rejects != excludes_zero(comparison)) return Verdict::Unconfirmed;
@@ -246,6 +248,8 @@ PairedComparison begin_comparison(const Side& a, const Side& b, const std::strin
   comparison.column = resolve_columns(*a.table, {metric})[0];
   comparison.confidence = options.analysis.confidence;
   comparison.power = options.power;
+  comparison.other_settings = a.table != b.table && !options.despite_settings &&
+                              !task_differences(a.table->manifest, b.table->manifest).empty();
   return comparison;
 }
 

@@ -35,7 +35,7 @@ void require_same_settings(const ResultTable& first, const ResultTable& other,
   throw usage_error(other.source,
                     "its campaign differs from " + first.source + " in more than " + parameter +
                         " (" + join(differences, "; ") + ")",
-                    "one parameter, or --allow-differences");
+                    "one parameter, or --despite-settings");
 }
 
 std::vector<Setting> sorted_settings(const std::vector<ResultTable>& sweep,
@@ -139,7 +139,9 @@ RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
   const std::vector<Setting> settings = sorted_settings(sweep, parameter, options);
   RobustnessTable table;
   table.parameter = parameter;
-  table.confidence = options.comparison.analysis.confidence;
+  ComparisonOptions comparison = options.comparison;
+  comparison.despite_settings = true;  // the parameter is one
+  table.confidence = comparison.analysis.confidence;
   const ResultTable& first = *settings.front().table;
   if (!method.empty()) index_of_method(first, method);
   for (const std::string& metric : metrics) {
@@ -149,7 +151,7 @@ RobustnessTable build_robustness(const std::vector<ResultTable>& sweep,
       curve.column = resolve_columns(first, {metric})[0];
       for (const Setting& setting : settings) {
         curve.points.push_back(
-            point_of(setting, settings.front(), name, parameter, metric, options.comparison));
+            point_of(setting, settings.front(), name, parameter, metric, comparison));
       }
     }
   }

@@ -43,6 +43,11 @@ std::string power_text(const PairedComparison& c) {
 }
 
 std::string more_text(const PairedComparison& c) {
+  // Near 0 a fixed share of the mean is far smaller than what the values vary by.
+  constexpr std::size_t kMost = 100;
+  if (c.required_scenarios > kMost * c.scenarios)
+    return "; " + power_text(c) + " would require more than " + std::to_string(kMost) +
+           " times as many scenarios";
   return "; about " + count_text(c.required_scenarios - c.scenarios, "more scenario") +
          (c.is_unpaired ? " of each" : "") + " required for " + power_text(c);
 }
@@ -97,6 +102,9 @@ std::string verdict_sentence(const PairedComparison& c) {
              count_text(c.pairs, "pair") + " of runs over " + count_text(c.scenarios, "scenario");
     case Verdict::Different:
       return c.b + " differs from " + c.a + " in " + metric + ": " + statistics_text(c);
+    case Verdict::OtherSettings:
+      return "no verdict on " + c.b + " against " + c.a + " in " + metric +
+             ": their campaigns have other settings (--despite-settings compares them)";
     case Verdict::Better:
     case Verdict::Worse:
       break;

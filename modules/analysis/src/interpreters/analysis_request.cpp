@@ -86,7 +86,7 @@ AnalysisQuery make_query(const AnalysisRequest& request, const Interpreter& inte
   query.baseline = request.baseline;
   query.parameter = request.parameter;
   query.values = values_of(request.values);
-  query.allow_differences = request.allow_differences;
+  query.comparison.despite_settings = request.despite_settings;
   for (const std::string& gate : request.gates) query.gates.push_back(parse_gate(gate));
   query.gate_on = request.gate_on;
   query.comparison.analysis.confidence =

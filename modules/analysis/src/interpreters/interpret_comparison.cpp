@@ -108,6 +108,12 @@ DataTable gate_table(const std::vector<GateResult>& results) {
 
 void add_gates(Interpretation& found, const std::vector<PairedComparison>& family,
                const AnalysisQuery& query) {
+  const bool other_settings = std::any_of(
+      family.begin(), family.end(), [](const PairedComparison& c) { return c.other_settings; });
+  if (other_settings && !query.gates.empty())
+    throw usage_error("--gate",
+                      "the campaigns have other settings (" + join(found.remarks, "; ") + ")",
+                      "the same settings, or --despite-settings");
   std::vector<GateResult> results;
   for (const Gate& gate : query.gates) {
     for (GateResult& result : evaluate_gate(gate, family, query.gate_on)) {
@@ -153,16 +159,13 @@ Interpretation interpret_comparison(const std::vector<ResultTable>& results,
   Interpretation found;
   found.tables = {exact_table(family)};
   found.views = {view_table(family)};
+  found.remarks = difference_sentences(results);
   if (is_unpaired(family))
     found.remarks.emplace_back(
         "unpaired: no scenario and repetition has runs of both sides, so that differences between "
         "their scenarios count as differences between the methods");
   for (const PairedComparison& c : family) found.remarks.push_back(verdict_sentence(c));
   if (results.size() == 2) {
-    for (const std::string& difference :
-         campaign_differences(results[0].manifest, results[1].manifest, {})) {
-      found.remarks.push_back("the campaigns differ: " + difference);
-    }
     for (const PairedComparison& c : family) {
       if (c.is_unpaired || c.unpaired == 0 || c.column.info.id != family.front().column.info.id)
         continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "row_table.h"
 
+#include <slalom/analysis/campaign_settings.h>
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/history.h>
 #include <slalom/analysis/interpreter.h>
@@ -62,6 +63,7 @@ Interpretation interpret_history(const std::vector<ResultTable>& results,
   const std::string since =
       results.back().source + " against " + results[results.size() - 2].source;
   Interpretation found;
+  found.remarks = difference_sentences(results);
   const auto add = [&](const std::string& name, const std::string& title,
                        const std::vector<ChangedRun>& changed) {
     found.tables.push_back(changed_table(name, title, changed, results));

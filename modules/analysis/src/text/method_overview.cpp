@@ -3,10 +3,12 @@
 #include <slalom/analysis/findings.h>
 #include <slalom/analysis/method_overview.h>
 #include <slalom/analysis/summary.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 namespace slalom {
@@ -56,6 +58,20 @@ std::string verb_of(const std::string& outcome) {
   return "ends with " + outcome;
 }
 
+/// The largest rate of what happened in none of the scenarios, by the exact test of zero in n.
+double bound_of_none(std::size_t scenarios, double confidence) {
+  return 1 - math::exp(math::log(1 - confidence) / static_cast<double>(scenarios));
+}
+
+std::size_t count_scenarios(const std::string& method, const ResultTable& table) {
+  std::set<std::uint32_t> scenarios;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (table.methods[table.method[i]] == method &&
+        !success_of(table.outcomes[table.outcome[i]]).is_na())
+      scenarios.insert(table.scenario[i]);
+  return scenarios.size();
+}
+
 /// Whether the runs of a method are known to end otherwise: the table tells collisions from other
 /// ends, and has the kind of each end.
 bool never_collides(const MethodSummary& method, const ResultTable& table) {
@@ -64,8 +80,9 @@ bool never_collides(const MethodSummary& method, const ResultTable& table) {
   return !table.manifest.empty() || contains(table.outcomes, std::string("collision"));
 }
 
-/// "it gets stuck in 20 %, never collides"; empty if no run is known to fail.
-std::string outcome_clause(const MethodSummary& method, const ResultTable& table) {
+/// "it gets stuck in 20 %, collides in none (at most 4.2 %)"; empty if no run is known to fail.
+std::string outcome_clause(const MethodSummary& method, const ResultTable& table,
+                           double confidence) {
   std::vector<std::pair<std::size_t, std::string>> failures;
   for (const auto& [outcome, n] : method.outcomes)
     if (outcome != kSuccess && outcome != kUnknownOutcome && n > 0)
@@ -77,7 +94,13 @@ std::string outcome_clause(const MethodSummary& method, const ResultTable& table
   for (const auto& [n, outcome] : failures)
     parts.push_back(verb_of(outcome) + " in " +
                     percent(static_cast<double>(n) / static_cast<double>(method.n)));
-  if (never_collides(method, table)) parts.emplace_back("never collides");
+  if (never_collides(method, table))
+    parts.push_back(
+        "collides in none (at most " +
+        format_fixed(
+            std::ceil(1000 * bound_of_none(count_scenarios(method.method, table), confidence)) / 10,
+            1) +
+        " %)");
   return "it " + join(parts, ", ");
 }
 
@@ -266,7 +289,7 @@ std::vector<MethodOverview> build_overview(const ResultTable& table,
     std::vector<std::string> clauses = {success_clause(method)};
     for (const CrossTable& cross : tables)
       if (cross.method == method.method) clauses.push_back(trend_clause(cross));
-    clauses.push_back(outcome_clause(method, table));
+    clauses.push_back(outcome_clause(method, table, options.confidence));
     for (std::string& clause : difference_clauses(method.method, family))
       clauses.push_back(std::move(clause));
     clauses.push_back(identical_clause(method.method, family));

@@ -478,12 +478,42 @@ TEST(Interpreter, RobustnessOfAMethodHasTheSameCorrectionAsOfAll) {
   EXPECT_NEAR(adjusted("b"), 4 * 2 / 1024.0, 1e-12);
 }
 
+TEST(Interpreter, CampaignsWithOtherSettingsHaveNoVerdictUnlessItIsAskedFor) {
+  const std::vector<ResultTable> all = sweep();
+  const std::vector<ResultTable> two = {all[1], all[0]};  // noise 0, then 0.2
+  const std::string difference = "the campaigns differ: sensor.noise_sigma: 0, 0.2";
+  AnalysisQuery query;
+  query.metrics = {"optimality"};
+  for (const char* id : {"compare", "history"}) {
+    query.comparison.despite_settings = false;
+    const auto without = named(id).interpret(two, query).remarks;
+    EXPECT_EQ(without.front(), difference);
+    EXPECT_NE(join(without, "\n").find("no verdict on a (at 0.2) against a (at 0) in optimality"),
+              std::string::npos);
+    EXPECT_EQ(join(without, "\n").find("is worse"), std::string::npos);
+    query.comparison.despite_settings = true;
+    const auto with = named(id).interpret(two, query).remarks;
+    EXPECT_EQ(with.front(), difference);
+    EXPECT_NE(join(with, "\n").find("a (at 0.2) is worse than a (at 0)"), std::string::npos);
+  }
+  // The options of methods and the scenarios are what campaigns are compared for.
+  ResultTable other = all[1];
+  other.manifest["campaign.ini"] += "[method.a]\nalpha = 2\n[generator.random]\nx = 1\n";
+  query.comparison.despite_settings = false;
+  EXPECT_FALSE(
+      compare_results(all[1], other, {"optimality"}, query.comparison).front().other_settings);
+  // A gate is a verdict.
+  query.gates = {parse_gate("optimality >= -1")};
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "--gate", {difference, "--despite-settings"},
+                           [&] { named("compare").interpret(two, query); }));
+}
+
 TEST(Interpreter, RobustnessRejectsCampaignsWithOtherDifferences) {
   auto results = sweep();
   EXPECT_THROW(build_robustness(results, "sensor.dropout_ratio", {"success"}, {}), Error);
   results[1].manifest["campaign.ini"] += "max_range = 4\n";
   EXPECT_TRUE(throws_error(
-      ErrorKind::Usage, "at 0", {"sensor.max_range: (default), 4", "--allow-differences"},
+      ErrorKind::Usage, "at 0", {"sensor.max_range: (default), 4", "--despite-settings"},
       [&] { build_robustness(results, "sensor.noise_sigma", {"success"}, {}); }));
   RobustnessOptions options;
   options.allow_differences = true;

@@ -16,7 +16,7 @@ struct AnalysisRequest {
   std::string method;              ///< restricts to one method
   std::string baseline;            ///< compare: the reference of all comparisons
   std::string parameter, values;   ///< robustness: "sensor.noise_sigma", "0,0.1"
-  bool allow_differences = false;  ///< robustness: of the campaigns' other settings
+  bool despite_settings = false;   ///< compare campaigns that differ in other settings
   std::vector<std::string> gates;  ///< compare: "success >= -0.02"
   GateOn gate_on = GateOn::Estimate;
   double confidence = 0;  ///< of intervals

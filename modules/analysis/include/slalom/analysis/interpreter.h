@@ -21,7 +21,6 @@ struct AnalysisQuery {
   std::string baseline;              ///< compare: the reference of all comparisons
   std::string parameter;             ///< robustness: "sensor.noise_sigma"
   std::vector<double> values;        ///< robustness: of the parameter, one per file
-  bool allow_differences = false;    ///< robustness: of the campaigns' other settings
   bool summary = true;               ///< table: with the summary of all methods
   std::vector<Gate> gates;           ///< compare
   GateOn gate_on = GateOn::Estimate;

@@ -20,11 +20,12 @@ enum class Verdict {
   NoDifference,  ///< not significant, with sufficient power for a relevant difference
   NotEnough,     ///< not significant, with too few scenarios for that power
   Unconfirmed,   ///< the interval excludes 0, but the corrected test does not reject, or vice versa
-  Identical      ///< all values are equal; not a test
+  Identical,     ///< all values are equal; not a test
+  OtherSettings  ///< none: the campaigns of the sides differ, see task_differences()
 };
 constexpr auto enum_names(Verdict) {
   return std::array{"better",          "worse",         "different", "no difference shown",
-                    "not enough runs", "not confirmed", "identical"};
+                    "not enough runs", "not confirmed", "identical", "other settings"};
 }
 
 /// Options of comparisons.
@@ -34,6 +35,7 @@ struct ComparisonOptions {
                                    ///< otherwise 5 % of the mean magnitude of both sides
   double power = 0.8;              ///< statistical power for that difference
   bool unpaired = false;           ///< compare without pairs if no pair has_partners()
+  bool despite_settings = false;   ///< verdicts also of campaigns with other settings
 };
 
 /// One side: a method in one set of results.
@@ -81,6 +83,7 @@ struct PairedComparison {
   std::size_t required_scenarios = 0;  ///< for that difference and power; 0: unknown
   Verdict verdict = Verdict::NotEnough;
 
+  bool other_settings = false;                   ///< so that there is no verdict
   bool is_unpaired = false;                      ///< see compare_unpaired()
   std::size_t scenarios_a = 0, scenarios_b = 0;  ///< with a value, if unpaired
   std::size_t runs_without_value = 0;            ///< of either side, if unpaired
