@@ -43,9 +43,7 @@ IniFile load_ini(const GenerateArguments& arguments) {
   IniFile ini = arguments.config.empty() ? IniFile::from_text("") : IniFile::load(arguments.config);
   if (!arguments.family.empty()) ini.set("scenarios", "generator", arguments.family);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
-  ini.reject_unknown_sections({"campaign", "scenarios", "coverage", "generator.*", "robot",
-                               "sensor", "laser.*", "odometry", "tracks", "simulation", "people",
-                               "reference", "metrics", "limits", "record", "analysis", "method.*"});
+  ini.reject_unknown_sections(campaign_sections({"coverage"}));
   if (arguments.count > 0) {
     const bool fills_bins = ini.has_section("coverage");
     ini.set(fills_bins ? "coverage" : "scenarios", fills_bins ? "per_bin" : "count",

@@ -4,6 +4,7 @@
 
 #include <slalom/app/bundled_methods.h>
 #include <slalom/app/external_options.h>
+#include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
 #include <slalom/app/verify_results.h>
 #include <slalom/core/scratch_folder.h>
@@ -47,7 +48,8 @@ void print_environment(const std::vector<std::string>& differences) {
   for (const std::string& line : differences) std::cout << "environment: " << line << "\n";
 }
 
-void verify(VerifyArguments& arguments) {
+void verify(VerifyArguments& arguments) try {
+  const InterruptGuard guard;  // so that the folder is removed
   if (arguments.only_new && has_badge(arguments.results, arguments.badge_folder)) {
     std::cout << arguments.results << " was verified\n";
     return;
@@ -69,6 +71,8 @@ void verify(VerifyArguments& arguments) {
               << detectable_changes(report.scenarios, report.total_scenarios) << " of "
               << report.total_scenarios << " scenarios or more\n";
   std::cout << verdict(report, arguments.results) << "\n";
+} catch (const Interrupted&) {
+  throw Interrupted("nothing was changed");
 }
 
 }  // namespace

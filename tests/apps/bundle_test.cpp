@@ -273,6 +273,22 @@ TEST_F(Bundles, ARunWhoseRepetitionIsNoIntIsDamaged) {
                  {"/4294967296 is damaged", "an unmodified file"});
 }
 
+TEST_F(Bundles, AnInterruptedVerificationLeavesNothing) {
+  write("many.ini", std::string(kSmallCampaign));
+  ASSERT_EQ(run("slalom-evaluate many.ini -o many --bundle b.slalom --quiet "
+                "--set scenarios.count=100")
+                .status,
+            0);
+  // The signal comes when the folder for temporary files is used.
+  const ProgramResult result =
+      run("{ mkdir t; TMPDIR=$PWD/t slalom-simulate verify b.slalom --fraction 0.5 --quiet >out "
+          "2>err & "
+          "until [ -n \"$(ls t 2>/dev/null)\" ] || ! kill -0 $! 2>/dev/null; do :; done; "
+          "kill -TERM $! 2>/dev/null; wait $!; echo $?; ls t; }");
+  EXPECT_EQ(result.out, "130\n") << read("err");
+  EXPECT_NE(read("err").find("interrupted: nothing was changed"), std::string::npos) << read("err");
+}
+
 TEST_F(Bundles, MissingRunsAndScenariosAreFound) {
   bool left_out = false;
   forge({[](Manifest&) {}, [&](RunRecord&) { return std::exchange(left_out, true); }});

@@ -60,7 +60,7 @@ std::vector<std::string> listed_files(const std::string& folder) {
   const std::string path = (fs::path(folder) / kMetadata).string();
   std::vector<std::string> files;
   try {
-    const YAML::Node root = YAML::Load(read_text(path, "the list of a bag", kMaxConfigSize));
+    const YAML::Node root = YAML::Load(read_utf8(path, "the list of a bag", kMaxConfigSize));
     for (const YAML::Node& file : root["rosbag2_bagfile_information"]["relative_file_paths"])
       files.push_back((fs::path(folder) / fs::path(file.as<std::string>()).filename()).string());
   } catch (const YAML::Exception& error) {

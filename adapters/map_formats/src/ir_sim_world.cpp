@@ -216,7 +216,7 @@ bool is_ir_sim(const std::string& path) {
 
 ImportedWorld ir_sim_world(const std::string& path, const WorldOptions& options) {
   try {
-    const YAML::Node root = YAML::Load(read_text(path, "a world of ir-sim", kMaxConfigSize));
+    const YAML::Node root = YAML::Load(read_utf8(path, "a world of ir-sim", kMaxConfigSize));
     if (!root.IsMap()) throw file_error(path, "is not a map", "a world of ir-sim");
     return IrSimReader(root, path, options).read(std::filesystem::path(path).stem().string());
   } catch (const YAML::Exception& e) {

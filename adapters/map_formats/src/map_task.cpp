@@ -2,6 +2,7 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
@@ -55,6 +56,7 @@ void write_map_task(const Scenario& scenario, const std::string& map_path) {
 }
 
 MapTask parse_map_task(const std::string& text, const std::string& where) {
+  expect_utf8(text, where, kTaskKeys);
   try {
     const YAML::Node root = YAML::Load(text);
     if (!root.IsMap() || !root["name"] || !root["name"].IsScalar())

@@ -182,7 +182,7 @@ void note_suspicions(const RosMap& map, const GrayImage& image, std::vector<std:
 }
 
 RosMap parse(const std::string& path) {
-  const std::string bytes = read_text(path, "a ROS map (.yaml)", kMaxConfigSize);
+  const std::string bytes = read_utf8(path, "a ROS map (.yaml)", kMaxConfigSize);
   try {
     const YAML::Node root = YAML::Load(bytes);
     return RosMapReader(root, path).read();

@@ -3,9 +3,45 @@
 
 #include <slalom/core/text.h>
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace slalom {
+namespace {
+
+/// The end of what begins at `i`, a comment or the like; npos if it has none.
+std::size_t end_of_markup(const std::string& text, std::size_t i) {
+  for (const auto& [begin, end] :
+       {std::pair("<!--", "-->"), {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!", ">"}})
+    if (text.compare(i, std::char_traits<char>::length(begin), begin) == 0)
+      return text.find(end, i);
+  return i;
+}
+
+void expect_few_attributes(const std::string& text, const std::string& where) {
+  constexpr int kMost = 1000;
+  for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i)) {
+    const std::size_t end = end_of_markup(text, i++);
+    if (end != i - 1) {
+      i = end;
+      continue;
+    }
+    for (int attributes = 0; i < text.size() && text[i] != '>' && text[i] != '<'; ++i) {
+      if (text[i] != '"' && text[i] != '\'') continue;
+      if (++attributes > kMost)
+        throw file_error(
+            where + ":" +
+                std::to_string(1 + std::count(text.begin(),
+                                              text.begin() + static_cast<std::ptrdiff_t>(i), '\n')),
+            "an element has more than " + std::to_string(kMost) + " attributes");
+      i = std::min(text.find(text[i], i + 1), text.size() - 1);
+    }
+  }
+}
+
+}  // namespace
+
 XmlFile::XmlFile(std::string where)
     : where_(std::move(where)), document_(std::make_unique<tinyxml2::XMLDocument>()) {}
 
@@ -14,6 +50,7 @@ XmlFile XmlFile::read(const std::string& path, const std::string& kind) {
 }
 
 XmlFile XmlFile::parse(const std::string& text, const std::string& where) {
+  expect_few_attributes(text, where);
   XmlFile file(where);
   if (file.document_->Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     const std::string reason = file.document_->ErrorName();

@@ -16,7 +16,8 @@ constexpr std::uint64_t kMaxXmlSize = 64 * kMegabyte;
 /// An XML file; TinyXML-2 expands no entities of the document and limits the depth to 100.
 class XmlFile {
  public:
-  /// Throws Error (File) with the line for what is not XML or is larger than kMaxXmlSize.
+  /// Throws Error (File) with the line for what is not XML, is larger than kMaxXmlSize or has an
+  /// element of more than 1000 attributes, for which TinyXML-2 needs the square of their number.
   static XmlFile read(const std::string& path, const std::string& kind);
   static XmlFile parse(const std::string& text, const std::string& where);
 

@@ -108,7 +108,7 @@ class YamlFlattener {
 };
 
 std::vector<RosParameter> read_parameters(const std::string& path) {
-  const std::string bytes = read_text(path, kKind, kMaxConfigSize);
+  const std::string bytes = read_utf8(path, kKind, kMaxConfigSize);
   std::vector<RosParameter> parameters;
   try {
     YamlFlattener(path, parameters).read(YAML::Load(bytes));

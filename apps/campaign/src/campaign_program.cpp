@@ -181,9 +181,7 @@ IniFile load_campaign_ini(const CampaignArguments& arguments) {
 IniFile with_overrides(IniFile ini, const CampaignArguments& arguments) {
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
   if (arguments.seed) ini.set("campaign", "seed", std::to_string(*arguments.seed));
-  ini.reject_unknown_sections({"campaign", "scenarios", "generator.*", "robot", "sensor", "laser.*",
-                               "odometry", "tracks", "simulation", "people", "reference", "metrics",
-                               "limits", "record", "analysis", "tune", "method.*"});
+  ini.reject_unknown_sections(campaign_sections());
   for (const RosParameterReport& report : resolve_ros_parameters(ini))
     if (!arguments.quiet) std::cerr << report.summary() << "\n";
   const std::string warning = sensor_warning(ini);

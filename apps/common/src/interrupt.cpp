@@ -34,14 +34,15 @@ InterruptGuard::InterruptGuard() {
   if (guards++ == 0) interrupt_flag = 0;
   struct sigaction action {};
   action.sa_handler = raise_flag;
-  sigaction(SIGINT, &action, &old_int_);
-  sigaction(SIGTERM, &action, &old_term_);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], &action, &old_[i]);
+    if (old_[i].sa_handler == SIG_IGN) sigaction(kSignals[i], &old_[i], nullptr);  // nohup
+  }
 }
 
 InterruptGuard::~InterruptGuard() {
   --guards;
-  sigaction(SIGINT, &old_int_, nullptr);
-  sigaction(SIGTERM, &old_term_, nullptr);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &old_[i], nullptr);
 }
 
 bool InterruptGuard::raised() {

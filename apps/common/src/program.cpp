@@ -118,6 +118,18 @@ void prepare_process() {
     if (std::signal(signal, end_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
+/// Throws Error (Usage) for what would fail later with the name of something else.
+void expect_usable_system() {
+  std::error_code missing;
+  std::filesystem::current_path(missing);
+  if (missing) throw usage_error("the current folder", "does not exist", "a folder that exists");
+#if defined(__linux__)
+  if (access("/proc/self/exe", F_OK) != 0)
+    throw usage_error("/proc", "is not mounted",
+                      "the files of processes, by which libraries are found");
+#endif
+}
+
 /// The verb that was given, or the program itself.
 const CLI::App& selected(const CLI::App& app) {
   const CLI::App* verb = &app;
@@ -229,6 +241,14 @@ void warn_of_damage(const std::string& path, const std::vector<std::string>& dam
             << "\n";
 }
 
+std::vector<std::string> campaign_sections(std::vector<std::string> more) {
+  for (const char* section : {"campaign", "scenarios", "generator.*", "robot", "sensor", "laser.*",
+                              "odometry", "tracks", "simulation", "people", "reference", "metrics",
+                              "limits", "record", "analysis", "tune", "method.*"})
+    more.emplace_back(section);
+  return more;
+}
+
 int run_program(const std::string& name, const std::string& description, int argc, char** argv,
                 const std::function<void(CLI::App&)>& define, bool needs_arguments) {
   prepare_process();
@@ -246,6 +266,7 @@ int run_program(const std::string& name, const std::string& description, int arg
       std::cerr << app.help();
       return kUsageError;
     }
+    expect_usable_system();
     return parse_and_execute(app, argc, argv);
   } catch (const CLI::ParseError& error) {
     return report_usage_error(app, name, usage_message(app, error, argc, argv));

@@ -63,6 +63,7 @@ IniFile IniFile::from_text(const std::string& text, const std::string& name) {
       if (line.back() != ']')
         throw usage_error(position, "missing ']' in '" + line + "'", "[section]");
       section = trim(line.substr(1, line.size() - 2));
+      expect_name(section.substr(section.find('.') + 1), "a section");
       if (ini.section_where_.emplace(section, position).second)
         ini.section_order_.push_back(section);
       continue;
@@ -73,10 +74,10 @@ IniFile IniFile::from_text(const std::string& text, const std::string& name) {
     if (equals == std::string::npos)
       throw usage_error(position, "malformed line '" + line + "'", "[section] or key = value");
     const std::string key = trim(line.substr(0, equals));
-    if (ini.find(section, key) != nullptr)
-      throw usage_error(position + ": [" + section + "] " + key, "duplicate key", "one value");
-    ini.entries_[section].push_back(
-        {key, trim(line.substr(equals + 1)), position + ": [" + section + "] " + key});
+    const std::string where = position + ": [" + section + "] " + key;
+    const Entry entry = {trim(line.substr(equals + 1)), where, ini.count_++};
+    if (!ini.entries_[section].emplace(key, entry).second)
+      throw usage_error(where, "duplicate key", "one value");
   }
   return ini;
 }
@@ -100,10 +101,12 @@ std::vector<std::string> IniFile::sections() const {
 }
 
 std::vector<std::string> IniFile::keys(const std::string& section) const {
-  std::vector<std::string> keys;
+  std::map<std::size_t, std::string> by_number;
   const auto found = entries_.find(section);
-  if (found == entries_.end()) return keys;
-  for (const Entry& entry : found->second) keys.push_back(entry.key);
+  if (found == entries_.end()) return {};
+  for (const auto& [key, entry] : found->second) by_number.emplace(entry.number, key);
+  std::vector<std::string> keys;
+  for (const auto& [number, key] : by_number) keys.push_back(key);
   return keys;
 }
 
@@ -128,22 +131,16 @@ void IniFile::set(const std::string& section, const std::string& key, const std:
                   const std::string& origin) {
   const std::string position = origin + section + "." + key;
   if (section_where_.emplace(section, position).second) section_order_.push_back(section);
-  for (Entry& entry : entries_[section]) {
-    if (entry.key != key) continue;
-    entry.value = value;
-    entry.where = position;
-    return;
-  }
-  entries_[section].push_back({key, value, position});
+  const auto [found, is_new] = entries_[section].try_emplace(key, Entry{value, position, count_});
+  if (is_new)
+    ++count_;
+  else
+    found->second = {value, position, found->second.number};
 }
 
 void IniFile::remove(const std::string& section, const std::string& key) {
   const auto found = entries_.find(section);
-  if (found == entries_.end()) return;
-  std::vector<Entry>& entries = found->second;
-  entries.erase(std::remove_if(entries.begin(), entries.end(),
-                               [&](const Entry& entry) { return entry.key == key; }),
-                entries.end());
+  if (found != entries_.end()) found->second.erase(key);
 }
 
 std::string IniFile::where(const std::string& section, const std::string& key) const {
@@ -164,10 +161,7 @@ std::string IniFile::canonical_text() const {
   std::string text;
   for (const auto& [section, entries] : entries_) {
     text += "[" + section + "]\n";
-    std::vector<Entry> sorted = entries;
-    std::sort(sorted.begin(), sorted.end(),
-              [](const Entry& a, const Entry& b) { return a.key < b.key; });
-    for (const Entry& entry : sorted) text += entry.key + " = " + entry.value + "\n";
+    for (const auto& [key, entry] : entries) text += key + " = " + entry.value + "\n";
   }
   return text;
 }
@@ -188,9 +182,8 @@ void IniFile::reject_unknown_sections(const std::vector<std::string>& accepted) 
 const IniFile::Entry* IniFile::find(const std::string& section, const std::string& key) const {
   const auto found = entries_.find(section);
   if (found == entries_.end()) return nullptr;
-  for (const Entry& entry : found->second)
-    if (entry.key == key) return &entry;
-  return nullptr;
+  const auto entry = found->second.find(key);
+  return entry == found->second.end() ? nullptr : &entry->second;
 }
 
 }  // namespace slalom

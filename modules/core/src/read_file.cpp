@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/read_file.h>
 
 #include <fmt/format.h>
@@ -91,6 +92,12 @@ std::string read_text(const std::string& path, const std::string& kind, std::uin
   constexpr char kByteOrderMark[] = "\xEF\xBB\xBF";  // of UTF-8
   std::string text = read_file(path, kind, max_size);
   if (text.compare(0, 3, kByteOrderMark) == 0) text.erase(0, 3);
+  return text;
+}
+
+std::string read_utf8(const std::string& path, const std::string& kind, std::uint64_t max_size) {
+  std::string text = read_text(path, kind, max_size);
+  expect_utf8(text, path, kind);
   return text;
 }
 

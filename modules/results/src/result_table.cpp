@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/results/result_table.h>
 
@@ -168,6 +169,11 @@ void sort_names(ResultTable& columns) {
   };
   sort_by([&](const auto& a, const auto& b) { return rank(a) < rank(b); }, columns.outcomes,
           columns.outcome);
+}
+
+void expect_names(const ResultTable& columns) {
+  for (const std::string& method : columns.methods) expect_name(method, "a method");
+  for (const std::string& scenario : columns.scenario_names) expect_name(scenario, "a scenario");
 }
 
 void sort_rows(ResultTable& columns) {

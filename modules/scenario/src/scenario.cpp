@@ -46,14 +46,6 @@ void check_position(const std::string& name, const Bounds& b, const char* what, 
         "a position within " + text({b.x_min, b.y_min}) + " to " + text({b.x_max, b.y_max}));
 }
 
-/// Names are written to files and tables as UTF-8.
-void check_name(const std::string& name) {
-  if (const auto at = find_invalid_utf8(name))
-    throw file_error("scenario '" + name + "'",
-                     "byte " + std::to_string(*at + 1) + " of the name is not UTF-8",
-                     "a name in UTF-8");
-}
-
 void check_task(const std::string& name, const Bounds& bounds, const TPose2D& start,
                 const TPoint2D& goal) {
   check_position(name, bounds, "start", TPoint2D(start.x, start.y));
@@ -161,7 +153,7 @@ Scenario::Scenario(std::string name, Bounds bounds, Obstacles obstacles, TPose2D
       start_(start),
       goal_(goal),
       rest_(std::move(rest)) {
-  check_name(name_);
+  expect_name(name_, "a scenario");
   check_task(name_, bounds_, start_, goal_);
   check_movers(name_, rest_.movers);
   check_people_among(name_, bounds_, rest_.movers, rest_.people);
@@ -215,7 +207,7 @@ const PointMapPtr& Scenario::point_map() const {
 
 Scenario Scenario::renamed(std::string name) const {
   Scenario copy = *this;
-  check_name(name);
+  expect_name(name, "a scenario");
   copy.name_ = std::move(name);
   return copy;
 }

@@ -273,6 +273,9 @@ TEST_F(GazeboWorld, RefusesMalformedWorldsWithTheirLine) {
   std::string deep;
   for (int i = 0; i < 5000; ++i) deep += "<model>";
   EXPECT_TRUE(rejects(deep, {"is not XML", "DEPTH"}));
+  std::string wide = "<sdf";
+  for (int i = 0; i < 1001; ++i) wide += "\n a" + std::to_string(i) + "=\"1\"";
+  EXPECT_TRUE(rejects(wide + "/>", {"more than 1000 attributes"}));
 }
 
 class MvsimWorld : public testing::Test {

@@ -151,5 +151,26 @@ TEST(IniFile, UnknownSectionsAreRefusedWithTheNearestName) {
   IniFile::from_text("[method.x]\n").reject_unknown_sections({"method.*"});
 }
 
+TEST(IniFile, ManyKeysKeepTheirOrder) {
+  constexpr int kKeys = 100000;  // minutes if each were compared with all others
+  std::string text = "[a]\n";
+  for (int i = 0; i < kKeys; ++i) text += "k" + std::to_string(kKeys - i) + " = 1\n";
+  IniFile ini = IniFile::from_text(text);
+  EXPECT_EQ(ini.keys("a").size(), kKeys);
+  EXPECT_EQ(ini.keys("a").front(), "k100000");
+  ini.set("a", "k5", "2");
+  ini.set("a", "new", "3");
+  ini.remove("a", "k1");
+  EXPECT_EQ(ini.keys("a").back(), "new");
+  EXPECT_EQ(ini.get("a", "k5"), "2");
+  EXPECT_FALSE(ini.get("a", "k1"));
+}
+
+TEST(IniFile, NamesOfSectionsAreShort) {
+  const std::string name(1001, 'x');
+  EXPECT_THROW(IniFile::from_text("[method." + name + "]\na = 1\n"), Error);
+  EXPECT_NO_THROW(IniFile::from_text("[method." + name.substr(1) + "]\na = 1\n"));
+}
+
 }  // namespace
 }  // namespace slalom

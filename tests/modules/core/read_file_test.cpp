@@ -86,5 +86,14 @@ TEST_F(ReadFile, NamesTheReasonWhenAFileIsMissing) {
   EXPECT_TRUE(refuses(path("missing"), {"cannot be read (No such file", "expected a map"}));
 }
 
+TEST_F(ReadFile, ATextThatIsNotUtf8IsRefusedWithItsLine) {
+  const std::string file = path("a.yaml");
+  std::ofstream(file) << "a: 1\nb: \xFF\xFE\n";
+  EXPECT_TRUE(throws_error(ErrorKind::File, file + ":2", {"not UTF-8", "a list"},
+                           [&] { read_utf8(file, "a list"); }));
+  std::ofstream(file) << "a: \xC3\xA4\n";
+  EXPECT_EQ(read_utf8(file, "a list"), "a: \xC3\xA4\n");
+}
+
 }  // namespace
 }  // namespace slalom

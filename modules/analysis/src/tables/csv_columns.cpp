@@ -256,6 +256,7 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
                                      ? repetition_of((*keys.repetition)[row])
                                      : counts.next(columns.scenario.back(), columns.method.back()));
   }
+  expect_names(columns);
   sort_names(columns);
 }
 

@@ -83,8 +83,16 @@ bool is_formula(const std::string& text) {
 }
 
 std::string csv_field(const std::string& text) {
-  const std::string field = is_formula(text) ? "'" + text : text;
-  if (field.find_first_of(",;\t\"\r\n") == std::string::npos) return field;
+  // Programs split at any of these, also within quotes that do not begin a field.
+  constexpr const char* kSeparators = ",;\t\"\r\n";
+  std::string field;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find_first_of(kSeparators, begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    field += (is_formula(part) ? "'" : "") + part + text.substr(end, 1);
+    begin = end + 1;
+  }
+  if (field.find_first_of(kSeparators) == std::string::npos) return field;
   std::string quoted = "\"";
   for (const char c : field) {
     if (c == '"') quoted += '"';

@@ -240,6 +240,7 @@ class ColumnReader {
       if (!from_name<Outcome>(outcome))
         throw file_error(path_, "contains an unknown outcome '" + outcome + "'",
                          "one of " + join(names_of<Outcome>(), ", "));
+    expect_names(columns_);
     expect_count_of_runs(database_, path_, count);
   }
 

@@ -207,7 +207,9 @@ std::size_t MergedResults::add(const std::string& file) {
   try {
     return impl_->add(file);
   } catch (const SQLite::Exception& e) {
-    if (e.getErrorCode() == SQLITE_FULL) throw_write_error(impl_->path, e);
+    const bool is_write =
+        e.getErrorCode() == SQLITE_FULL || e.getExtendedErrorCode() == SQLITE_IOERR_WRITE;
+    if (is_write) throw_write_error(impl_->path, e);
     throw_read_error(file, e);
   }
 }

@@ -135,6 +135,8 @@ std::int64_t use_runs(const OpenResultFile& file, const DamageHandler& report, U
     RunRecord run = run_without_metrics(row);
     if (is_intact(row, RunColumn::Scenario) &&
         is_repetition(row.getColumn(RunColumn::Repetition).getInt64())) {
+      expect_name(run.method, "a method");
+      expect_name(run.scenario_name, "a scenario");
       read_metrics(row, file, run);
       use(std::move(run));
     } else if (report) {

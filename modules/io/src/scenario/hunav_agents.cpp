@@ -3,6 +3,7 @@
 #include "yaml_reader.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
 namespace slalom {
@@ -63,6 +64,7 @@ bool is_hunav(const std::string& text) {
 }
 
 Movers hunav_agents(const std::string& text, const std::string& where) {
+  expect_utf8(text, where, "agents of HuNavSim");
   try {
     const AgentReader file(YAML::Load(text), where);
     const AgentReader root(file.part("hunav_loader").required("ros__parameters"), where);

@@ -244,11 +244,7 @@ std::string scenario_to_yaml(const Scenario& scenario) {
 }
 
 Scenario scenario_from_yaml(const std::string& text, const std::string& where) {
-  if (const auto at = find_invalid_utf8(text)) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(*at);
-    throw file_error(where + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')),
-                     "contains a byte that is not UTF-8", "a scenario as YAML");
-  }
+  expect_utf8(text, where, "a scenario as YAML");
   try {
     return ScenarioReader(YAML::Load(text), where).read();
   } catch (const YAML::Exception& e) {

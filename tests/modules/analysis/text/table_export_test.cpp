@@ -31,12 +31,12 @@ TEST(TableExport, QuotesSpecialCharactersInCsv) {
   EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
   EXPECT_EQ(csv_field("say \"x\"\n"), "\"say \"\"x\"\"\n\"");
   // Separators of spreadsheets in other locales.
-  EXPECT_EQ(csv_field("x;=1+1"), "\"x;=1+1\"");
-  EXPECT_EQ(csv_field("x\t=1"), "\"x\t=1\"");
+  EXPECT_EQ(csv_field("x;=1+1;-2;y"), "\"x;'=1+1;-2;y\"") << "also split at semicolons";
+  EXPECT_EQ(csv_field("x\t=1"), "\"x\t'=1\"");
   // Texts that a spreadsheet would evaluate; numbers are not.
   for (const char* text : {"=1+1", "+x", "-x", "@SUM(A1)", "-"})
     EXPECT_EQ(csv_field(text), std::string(text) == "-" ? "-" : std::string("'") + text) << text;
-  EXPECT_EQ(csv_field("\t=1"), "\"'\t=1\"");
+  EXPECT_EQ(csv_field("\t=1"), "\"\t'=1\"");
   EXPECT_EQ(csv_field("=HYPERLINK(\"x\",1)"), "\"'=HYPERLINK(\"\"x\"\",1)\"");
   for (const char* number : {"-0.5", "+1e-3", "-12"}) EXPECT_EQ(csv_field(number), number);
   EXPECT_NE(render_csv(tables("a,b")).find("\"a,b\",density"), std::string::npos);

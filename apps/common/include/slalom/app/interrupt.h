@@ -3,12 +3,13 @@
 
 #include <slalom/core/progress.h>
 
+#include <array>
 #include <csignal>
 #include <memory>
 
 namespace slalom {
 
-/// During its lifetime, SIGINT and SIGTERM only set a flag, so that a campaign can stop and keep
+/// During its lifetime, SIGINT, SIGTERM and SIGHUP only set a flag, so that a campaign can stop and keep
 /// its state. In the main thread; an inner guard keeps the flag of the outer one.
 class InterruptGuard {
  public:
@@ -20,12 +21,12 @@ class InterruptGuard {
   static bool raised();
 
  private:
-  struct sigaction old_int_ {};
-  struct sigaction old_term_ {};
+  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> old_ = {};
 };
 
-/// make_terminal_progress() for jobs that the same command continues. During its lifetime, SIGINT
-/// and SIGTERM make its next advance() throw Interrupted, so that transactions and locks are ended.
+/// make_terminal_progress() for jobs that the same command continues. During its lifetime, SIGINT,
+/// SIGTERM and SIGHUP make its next advance() throw Interrupted, so that transactions and locks are ended.
 std::unique_ptr<Progress> make_interruptible_progress(bool quiet);
 
 }  // namespace slalom

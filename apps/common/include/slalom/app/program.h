@@ -46,6 +46,10 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Enum& value,
 /// replaced.
 void refuse_output_over_inputs(const std::string& output, const IniFile& ini);
 
+/// The sections of an .ini of a campaign, for reject_unknown_sections(), and `more` of a program.
+/// That of slalom-tune is among them: the other programs read what it writes.
+std::vector<std::string> campaign_sections(std::vector<std::string> more = {});
+
 /// Prints a line on standard error, for callbacks that notify of something.
 void print_notice(const std::string& line);
 

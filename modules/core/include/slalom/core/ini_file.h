@@ -47,13 +47,15 @@ class IniFile {
 
  private:
   struct Entry {
-    std::string key, value;
-    std::string where;
+    std::string value, where;
+    std::size_t number;  ///< in the order of the file
   };
+  using Section = std::map<std::string, Entry>;  ///< by key
   std::string name_;
   std::vector<std::string> section_order_;
-  std::map<std::string, std::vector<Entry>> entries_;
+  std::map<std::string, Section> entries_;
   std::map<std::string, std::string> section_where_;
+  std::size_t count_ = 0;  ///< of all entries so far
 
   const Entry* find(const std::string& section, const std::string& key) const;
 };

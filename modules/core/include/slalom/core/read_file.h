@@ -23,6 +23,10 @@ std::string read_file(const std::string& path, const std::string& kind = "a file
 std::string read_text(const std::string& path, const std::string& kind,
                       std::uint64_t max_size = kMaxTextSize);
 
+/// The same of a text in UTF-8. Throws Error (File) with the line for one that is not.
+std::string read_utf8(const std::string& path, const std::string& kind,
+                      std::uint64_t max_size = kMaxTextSize);
+
 /// Throws as read_file() does, without reading: for files that a library opens by their path.
 void require_regular_file(const std::string& path, const std::string& kind,
                           std::uint64_t max_size = std::numeric_limits<std::uint64_t>::max());

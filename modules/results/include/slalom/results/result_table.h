@@ -110,6 +110,9 @@ class NameIndex {
 /// Sorts the methods by name, and the outcomes: success first, the others by name.
 void sort_names(ResultTable& columns);
 
+/// Throws Error (File) for a name of a method or scenario that expect_name() refuses.
+void expect_names(const ResultTable& columns);
+
 /// Sorts the names, scenarios by name and hash, and runs by scenario, method and repetition.
 void sort_rows(ResultTable& columns);
 
