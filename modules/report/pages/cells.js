@@ -32,7 +32,7 @@ const numberText = (number, digits) => (Math.abs(number) < 1e9 ? fixed(number, d
 const intervalText = (interval, digits) =>
   interval ? `[${numberText(interval[0], digits)}, ${numberText(interval[1], digits)}]` : "";
 const missing = (cell) => Object.values(cell.na).reduce((sum, n) => sum + n, 0);
-const valuesText = (cell) => "n=" + cell.n + (missing(cell) ? " NA=" + missing(cell) : "");
+const valuesText = (cell) => "n = " + cell.n + (missing(cell) ? " of " + (cell.n + missing(cell)) : "");
 const reasonsText = (na) => Object.entries(na).map(([reason, n]) => n + " " + reason).join(", ");
 const support = (...children) => html("span", { class: "support" }, ...children);
 
@@ -42,7 +42,8 @@ const countText = ({ mean, n }) => Math.round((mean || 0) * n) + "/" + n;
 function supportText(cell, column, digits) {
   if (column.rate && cell.mean !== null)
     return countText(cell) + (missing(cell) ? " NA=" + missing(cell) : "");
-  return (cell.deviation === null ? "" : "±" + numberText(cell.deviation, digits) + " ") + valuesText(cell);
+  return (cell.median_interval ? `median ${numberText(cell.median, digits)} ${intervalText(cell.median_interval, digits)} ` : "") +
+    (cell.deviation === null ? "" : "±" + numberText(cell.deviation, digits) + " ") + valuesText(cell);
 }
 
 // The mean as a dot on its interval.

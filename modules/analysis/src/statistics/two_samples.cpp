@@ -103,8 +103,8 @@ std::optional<Interval> welch_interval(const std::vector<double>& a, const std::
   if (a.size() < 2 || b.size() < 2) return std::nullopt;
   const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
   const double va = square(*standard_deviation(a)) / m, vb = square(*standard_deviation(b)) / n;
+  if (va + vb <= 0) return std::nullopt;
   const double difference = mean(a) - mean(b);
-  if (va + vb <= 0) return Interval{difference, difference};
   const double freedom = square(va + vb) / (square(va) / (m - 1) + square(vb) / (n - 1));
   const double half =
       distributions::students_t_quantile(0.5 + confidence / 2, freedom) * std::sqrt(va + vb);

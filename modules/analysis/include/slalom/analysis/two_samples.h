@@ -28,7 +28,7 @@ struct RankSumTest {
 RankSumTest rank_sum_test(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Welch's (1947) interval of mean(a) - mean(b) of independent samples with different variances.
-/// None for fewer than two values on a side.
+/// None for fewer than two values on a side, and if both are constant.
 std::optional<Interval> welch_interval(const std::vector<double>& a, const std::vector<double>& b,
                                        double confidence);
 
