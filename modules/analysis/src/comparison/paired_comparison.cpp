@@ -250,9 +250,8 @@ void add_effect(PairedComparison& comparison, const PairedValues& values,
     add_difference_of_sides(comparison, values.a, values.b, correlation(a, b), confidence);
   } else if (is_within(info.range, *comparison.mean_a) &&
              is_within(info.range, *comparison.mean_b)) {
-    comparison.interval =
-        gaffke_interval(moments_of(singles(differences)), singles(differences),
-                        difference_range(info.range), confidence);
+    comparison.interval = gaffke_interval(moments_of(singles(differences)), singles(differences),
+                                          difference_range(info.range), confidence);
   }
 }
 
@@ -292,7 +291,9 @@ void add_power(PairedComparison& comparison, double deviation, std::size_t small
 int interval_sign(const PairedComparison& comparison) {
   const DecidingInterval deciding = deciding_interval(comparison);
   if (!deciding.interval) return 0;
-  return deciding.interval->low > deciding.null ? 1 : deciding.interval->high < deciding.null ? -1 : 0;
+  return deciding.interval->low > deciding.null    ? 1
+         : deciding.interval->high < deciding.null ? -1
+                                                   : 0;
 }
 
 Verdict verdict_of(const PairedComparison& comparison) {

@@ -44,9 +44,9 @@ std::string deciding_text(const PairedComparison& c, int digits) {
 std::string statistics_text(const PairedComparison& c) {
   const int digits = digits_of(std::max(std::abs(*c.mean_a), std::abs(*c.mean_b)));
   const std::string text = format_fixed(*c.mean_b, digits) + " against " +
-                     format_fixed(*c.mean_a, digits) + ", difference " +
-                     format_fixed(*c.difference, digits) + interval_text(c.interval, digits) +
-                     deciding_text(c, digits);
+                           format_fixed(*c.mean_a, digits) + ", difference " +
+                           format_fixed(*c.difference, digits) + interval_text(c.interval, digits) +
+                           deciding_text(c, digits);
   return text + " over " + sample_text(c) + ", " + p_text(c.adjusted_p) + " (" + to_string(c.test) +
          ", " + family_text(c) + ")";
 }
@@ -87,8 +87,8 @@ std::string unconfirmed(const PairedComparison& c) {
            (deciding.interval ? "the interval includes " + null : "there is no interval");
   const std::string correction =
       c.p <= test_level(c.confidence) ? " after the correction (before: " + p_text(c.p) + ")" : "";
-  return head + "the interval excludes " + null + ", but the test does not reject equality" + correction +
-         (c.required_scenarios > c.scenarios ? more_text(c) : "");
+  return head + "the interval excludes " + null + ", but the test does not reject equality" +
+         correction + (c.required_scenarios > c.scenarios ? more_text(c) : "");
 }
 
 }  // namespace

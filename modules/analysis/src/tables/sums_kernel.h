@@ -9,10 +9,10 @@ namespace slalom {
 /// A sum with twice the digits of a double has a high and a low part, see PreciseSum.
 struct SumArrays {
   enum Kind : std::size_t {
-    ScenarioSum,   ///< of the values of the current scenario
-    ScenarioSize,  ///< their number
+    ScenarioSum,        ///< of the values of the current scenario
+    ScenarioSize,       ///< their number
     ScenarioPositives,  ///< those that are not 0
-    SumHigh,       ///< of all values
+    SumHigh,            ///< of all values
     SumLow,
     SquaresHigh,
     SquaresLow,

@@ -239,8 +239,8 @@ ResultTable pairs_of(const QuantityInfo& info, const std::vector<double>& a,
 }
 
 TEST(PairedComparison, OfTimesHasTheRatioOfGeometricMeans) {
-  const QuantityInfo time{"time", 1,    "Time", "s", Direction::Down, QuantityKind::Amount,
-                          Range::at_least(0)};
+  const QuantityInfo time{
+      "time", 1, "Time", "s", Direction::Down, QuantityKind::Amount, Range::at_least(0)};
   RandomEngine engine(41);
   std::vector<double> a, b, logs;
   for (int i = 0; i < 30; ++i) {
@@ -274,8 +274,8 @@ TEST(PairedComparison, OfValuesThatAreNotPositiveHasTheShift) {
 }
 
 TEST(PairedComparison, OfScoresCombinesTheHurdleIntervalsOfBothSides) {
-  const QuantityInfo score{"score", 1,    "Score", "-", Direction::Up, QuantityKind::Score,
-                           Range::between(0, 1)};
+  const QuantityInfo score{
+      "score", 1, "Score", "-", Direction::Up, QuantityKind::Score, Range::between(0, 1)};
   const std::vector<double> a = {0.9, 0.8, 0, 0.85, 0.95, 0.9, 0, 0.8},
                             b = {0.9, 0.7, 0.9, 0.8, 0.9, 0.9, 0, 0.7}, ones(8, 1.0);
   const auto hurdle = [&](const std::vector<double>& values) {

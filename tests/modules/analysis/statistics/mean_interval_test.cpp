@@ -27,7 +27,8 @@ std::vector<double> positives_of(const std::vector<double>& values) {
 }
 
 Interval hurdle(const std::vector<double>& values, double high = 1) {
-  return hurdle_interval(score_moments(each_alone(values), positives_of(values)), high, kMeanConfidence);
+  return hurdle_interval(score_moments(each_alone(values), positives_of(values)), high,
+                         kMeanConfidence);
 }
 
 Interval gaffke(const std::vector<double>& values, const Range& range) {
@@ -175,9 +176,7 @@ TEST(HurdleInterval, CoversWithRepetitionsOfScenarios) {
 TEST(DifferenceInterval, OfPairedScoresCoversTheirDifference) {
   // Pairs share the scenario's difficulty: both succeed if a common uniform number is below their
   // rate in 70 % of the scenarios, and independently in the others.
-  const struct {
-    double a, b;
-  } cases[] = {{0.9, 0.8}, {0.85, 0.8}, {0.98, 0.95}, {0.95, 0.95}};
+  const struct { double a, b; } cases[] = {{0.9, 0.8}, {0.85, 0.8}, {0.98, 0.95}, {0.95, 0.95}};
   for (const auto& rates : cases)
     for (const int n : {20, 30, 50}) {
       const double truth = (rates.a - rates.b) * 20 / 23;
@@ -185,8 +184,7 @@ TEST(DifferenceInterval, OfPairedScoresCoversTheirDifference) {
         std::vector<double> a, b;
         for (int i = 0; i < n; ++i) {
           const bool common = uniform_real(engine, 0, 1) < 0.7;
-          const double u = uniform_real(engine, 0, 1),
-                       v = common ? u : uniform_real(engine, 0, 1);
+          const double u = uniform_real(engine, 0, 1), v = common ? u : uniform_real(engine, 0, 1);
           const double efficiency = beta_value(engine, 20, 3);
           a.push_back(u < rates.a ? efficiency : 0);
           b.push_back(v < rates.b ? (common ? efficiency : beta_value(engine, 20, 3)) : 0);
@@ -202,8 +200,8 @@ TEST(DifferenceInterval, OfPairedScoresCoversTheirDifference) {
 
 TEST(DifferenceInterval, OfRatesIsNewcombes) {
   // Newcombe 1998, Stat. Med. 17:873, table II, method 10: 56 / 70 - 48 / 80.
-  const Interval interval = difference_interval(
-      0.8, wilson_interval(0.8, 70, kMeanConfidence), 0.6, wilson_interval(0.6, 80, kMeanConfidence), 0);
+  const Interval interval = difference_interval(0.8, wilson_interval(0.8, 70, kMeanConfidence), 0.6,
+                                                wilson_interval(0.6, 80, kMeanConfidence), 0);
   EXPECT_NEAR(interval.low, 0.0524, 5e-5);
   EXPECT_NEAR(interval.high, 0.3339, 5e-5);
 }
@@ -252,12 +250,11 @@ TEST(GaffkeInterval, CoversMeansOfBoundedValues) {
     const char* name;
     double truth;
     double (*draw)(RandomEngine&);
-  } sources[] = {{"spl", 0.95 * 20 / 23, [](RandomEngine& e) { return spl(e, 0.95); }},
-                 {"beta", 0.8, [](RandomEngine& e) { return beta_value(e, 8, 2); }},
-                 {"skewed", 0.2, [](RandomEngine& e) { return beta_value(e, 1, 4); }},
-                 {"rare", 0.03, [](RandomEngine& e) {
-                    return uniform_real(e, 0, 1) < 0.03 ? 1.0 : 0.0;
-                  }}};
+  } sources[] = {
+      {"spl", 0.95 * 20 / 23, [](RandomEngine& e) { return spl(e, 0.95); }},
+      {"beta", 0.8, [](RandomEngine& e) { return beta_value(e, 8, 2); }},
+      {"skewed", 0.2, [](RandomEngine& e) { return beta_value(e, 1, 4); }},
+      {"rare", 0.03, [](RandomEngine& e) { return uniform_real(e, 0, 1) < 0.03 ? 1.0 : 0.0; }}};
   for (const auto& source : sources)
     for (const int n : {10, 30}) {
       const Coverage found = simulate(source.truth, 2000, 75, [&](RandomEngine& engine) {
@@ -319,8 +316,7 @@ TEST(MedianInterval, HasTheRanksOfTheBinomialDistribution) {
 TEST(MedianInterval, CoversTheMedianOfSkewedTimes) {
   // Lognormal times, with 5 % detours of three to five times.
   const auto time = [](RandomEngine& engine) {
-    const double detour =
-        uniform_real(engine, 0, 1) < 0.05 ? uniform_real(engine, 3, 5) : 1;
+    const double detour = uniform_real(engine, 0, 1) < 0.05 ? uniform_real(engine, 3, 5) : 1;
     return detour * std::exp(normal(engine, 0, 0.3));
   };
   RandomEngine many(6);
@@ -357,8 +353,7 @@ TEST(ClopperPearsonInterval, CoversEveryExtremeRate) {
     for (const double rate : {0.5, 0.9, 0.95, 0.99, 0.9945, 0.995, 0.9965, 0.999}) {
       double covered = 0, score = 0;
       for (int k = 0; k <= n; ++k) {
-        const double below =
-            k == 0 ? 0 : distributions::binomial_cdf(k - 1, n, rate);
+        const double below = k == 0 ? 0 : distributions::binomial_cdf(k - 1, n, rate);
         const double probability = distributions::binomial_cdf(k, n, rate) - below;
         const Interval exact = clopper_pearson_interval(k, n, kMeanConfidence),
                        wilson = wilson_interval(static_cast<double>(k) / n, n, kMeanConfidence);

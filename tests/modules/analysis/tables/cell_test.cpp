@@ -60,8 +60,8 @@ TEST_F(CellTest, AScoreHasTheHurdleInterval) {
 }
 
 TEST_F(CellTest, AMeanOfValuesWithoutBoundsHasNoIntervalButAMedianHas) {
-  ValueColumn time({"time_to_goal", 1, "Time", "s", Direction::Down, QuantityKind::Amount,
-                    Range::at_least(0)});
+  ValueColumn time(
+      {"time_to_goal", 1, "Time", "s", Direction::Down, QuantityKind::Amount, Range::at_least(0)});
   std::vector<std::size_t> runs;
   for (std::size_t i = 0; i < 8; ++i) {
     if (i >= 4) fixture_.add_run(fixture_.add_scenario(Value::of(0.1)), "nd", 0.5);

@@ -19,9 +19,9 @@ std::string estimate_text(const Cell& cell, int digits);
 std::string interval_text(const Cell& cell, int digits);
 /// The interval of the median if there is one, otherwise of the mean.
 const std::optional<Interval>& stated_interval(const Cell& cell);
-/// Sample size and deviation of the estimate: "42/56" for a rate (successes of values), with " NA=4"
-/// if runs have no value, otherwise "±0.05 n = 56 of 60", after "mean 12.9 " if the estimate is a
-/// median.
+/// Sample size and deviation of the estimate: "42/56" for a rate (successes of values), with "
+/// NA=4" if runs have no value, otherwise "±0.05 n = 56 of 60", after "mean 12.9 " if the estimate
+/// is a median.
 std::string support_text(const Cell& cell, const Column& column, int digits);
 /// "n = 56", or "n = 56 of 60" if only 56 of 60 runs have a value, on which the estimate depends.
 std::string values_text(const Cell& cell);

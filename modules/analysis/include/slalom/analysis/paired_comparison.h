@@ -57,8 +57,8 @@ struct PairedComparison {
   std::optional<double> ratio;       ///< of the geometric means, b / a, of positive values that
                                      ///< states_median()
   std::optional<Interval> ratio_interval;
-  std::size_t higher = 0, lower = 0, equal = 0;      ///< scenarios by the sign of the difference
-  bool identical = false;                            ///< all pairs of runs have equal values
+  std::size_t higher = 0, lower = 0, equal = 0;  ///< scenarios by the sign of the difference
+  bool identical = false;                        ///< all pairs of runs have equal values
 
   enum class Test {
     None,
