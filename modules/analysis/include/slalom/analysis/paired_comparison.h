@@ -103,7 +103,7 @@ struct DecidingInterval {
   std::optional<Interval> interval;
   double null = 0;
 };
-/// Of the mean difference for rates and scores. For other metrics that of the ratio, or of the
+/// It is that of the mean difference for rates and scores, for other metrics of the ratio, or of the
 /// shift, which go with the tests by ranks: an interval of their mean is wide, as it holds for any
 /// distribution, or does not exist.
 DecidingInterval deciding_interval(const PairedComparison& comparison);
