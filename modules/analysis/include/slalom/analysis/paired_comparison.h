@@ -103,9 +103,9 @@ struct DecidingInterval {
   std::optional<Interval> interval;
   double null = 0;
 };
-/// It is that of the mean difference for rates and scores, for other metrics of the ratio, or of the
-/// shift, which go with the tests by ranks: an interval of their mean is wide, as it holds for any
-/// distribution, or does not exist.
+/// It is that of the mean difference for rates and scores, for other metrics of the ratio, or of
+/// the shift, which go with the tests by ranks: an interval of their mean is wide, as it holds for
+/// any distribution, or does not exist.
 DecidingInterval deciding_interval(const PairedComparison& comparison);
 
 /// Compares one pair; `adjusted_p` is `p` until `finish_families`. Throws Error (Usage) for unknown
