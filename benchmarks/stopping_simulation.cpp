@@ -5,11 +5,13 @@
 //
 //   build/release/bin/stopping_simulation [CAMPAIGNS]
 
+#include <slalom/analysis/mean_interval.h>
 #include <slalom/analysis/precision_rule.h>
 #include <slalom/core/random.h>
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -24,36 +26,59 @@ namespace {
 /// The values of the runs of one scenario, and their true mean over all scenarios.
 struct Source {
   std::string name;
+  bool is_score;
   double mean;
   std::function<std::vector<double>(RandomEngine&)> draw;
   double deviation;  ///< of scenarios' means
 };
 
-double exponential(RandomEngine& engine) {
-  return -std::log1p(-uniform_real(engine, 0, 1));
+/// A gamma variable of integer shape is a sum of exponential ones.
+double gamma_value(RandomEngine& engine, int shape) {
+  double sum = 0;
+  for (int i = 0; i < shape; ++i) sum -= std::log1p(-uniform_real(engine, 0, 1));
+  return sum;
+}
+
+double beta_value(RandomEngine& engine, int a, int b) {
+  const double x = gamma_value(engine, a);
+  return x / (x + gamma_value(engine, b));
+}
+
+/// 0 for a failure, else Beta(20, 3).
+Source score(double success, int repetitions) {
+  const double given = 20.0 / 23, square = 20.0 * 21 / (23 * 24), mean = success * given;
+  const auto draw = [success, repetitions](RandomEngine& engine) {
+    std::vector<double> values;
+    for (int i = 0; i < repetitions; ++i)
+      values.push_back(uniform_real(engine, 0, 1) < success ? beta_value(engine, 20, 3) : 0);
+    return values;
+  };
+  return {fmt::format("score, success {}{}", success,
+                      repetitions > 1 ? fmt::format(", {} repetitions", repetitions) : ""),
+          true, mean, draw, std::sqrt((success * square - mean * mean) / repetitions)};
+}
+
+/// Bounded values that are no score.
+Source beta(int a, int b) {
+  const double mean = static_cast<double>(a) / (a + b);
+  return {fmt::format("Beta({}, {})", a, b), false, mean,
+          [a, b](RandomEngine& engine) { return std::vector{beta_value(engine, a, b)}; },
+          std::sqrt(mean * (1 - mean) / (a + b + 1))};
 }
 
 std::vector<Source> sources() {
-  const auto normal_value = [](RandomEngine& e) { return std::vector{normal(e, 0, 1)}; };
-  const auto skewed = [](RandomEngine& e) { return std::vector{std::exp(normal(e, 0, 0.5))}; };
-  const auto very_skewed = [](RandomEngine& e) { return std::vector{exponential(e)}; };
-  const auto with_na = [](RandomEngine& e) {
-    std::vector<double> values;
-    if (uniform_real(e, 0, 1) < 0.7) values.push_back(exponential(e));
-    return values;
-  };
-  const auto repeated = [](RandomEngine& e) {
-    const double scenario = normal(e, 0, 1);
-    std::vector<double> values;
-    for (int i = 0; i < 5; ++i) values.push_back(scenario + normal(e, 0, 0.5));
-    return values;
-  };
-  const double lognormal = std::exp(0.125);
-  return {{"normal", 0, normal_value, 1},
-          {"lognormal, sigma 0.5", lognormal, skewed, lognormal * std::sqrt(std::expm1(0.25))},
-          {"exponential", 1, very_skewed, 1},
-          {"exponential, 30 % NA", 1, with_na, 1 / std::sqrt(0.7)},
-          {"five repetitions", 0, repeated, std::sqrt(1 + 0.05)}};
+  return {score(0.95, 1), score(0.8, 1), score(0.8, 5), beta(8, 2), beta(1, 4)};
+}
+
+Interval interval_of(const Source& source, const ScenarioGroups& groups, double confidence) {
+  const GroupSums sums = sums_of(groups);
+  if (!source.is_score)
+    return *gaffke_interval(moments_of(sums), sums, Range::between(0, 1), confidence);
+  std::vector<double> positives;
+  for (const auto& group : groups)
+    positives.push_back(static_cast<double>(group.size()) -
+                        static_cast<double>(std::count(group.begin(), group.end(), 0.0)));
+  return hurdle_interval(score_moments(sums, positives), 1, confidence);
 }
 
 struct Result {
@@ -69,14 +94,10 @@ Result simulate(const Source& source, double width, double confidence, std::size
     std::size_t scenarios = 0;
     for (;;) {
       const std::size_t next = scenarios == 0 ? first : scenarios + (scenarios + 1) / 2;
-      for (; scenarios < next; ++scenarios) {
-        const auto values = source.draw(engine);
-        if (!values.empty()) groups.push_back(values);
-      }
-      RandomEngine bootstrap(derive_seed(2, source.name, static_cast<std::uint64_t>(i)));
-      const auto interval = mean_interval(sums_of(groups), confidence, bootstrap);
-      if (!interval || interval->high - interval->low >= width) continue;
-      result.coverage += interval->low <= source.mean && source.mean <= interval->high;
+      for (; scenarios < next; ++scenarios) groups.push_back(source.draw(engine));
+      const Interval interval = interval_of(source, groups, confidence);
+      if (interval.high - interval.low >= width) continue;
+      result.coverage += interval.low <= source.mean && source.mean <= interval.high;
       break;
     }
     result.scenarios += static_cast<double>(scenarios);

@@ -59,7 +59,7 @@ Interpretation interpret(const InterpretArguments& arguments, const Interpreter&
   query.rows = resolve_indexes(std::move(query.rows), arguments.scenarios);
   AnalysisOptions& analysis = query.comparison.analysis;
   analysis.run_ids = arguments.json;
-  analysis.medians = arguments.json || interpreter.id != "table";
+  analysis.medians = !arguments.csv || interpreter.id != "table";
   query.summary = !arguments.csv && !arguments.json;
   Interpretation found = interpret(interpreter, results, std::move(query));
   explain_method_failures(found, results, arguments, interpreter);

@@ -36,8 +36,8 @@ void add_key_options(CLI::App& verb, CsvColumnOptions& options) {
             "like do not)");
   verb.add_option_function<std::string>(
       "--kind", [&options](const std::string& text) { options.kinds = parse_column_kinds(text); },
-      "CSV: kind of the values of columns, COLUMN=KIND,...: rate (0 or 1), count, amount or ratio "
-      "(default: rate for columns of 0 and 1)");
+      "CSV: kind of the values of columns, COLUMN=KIND,...: rate (0 or 1), count, amount, ratio or "
+      "score (0 in failures) (default: rate for columns of 0 and 1)");
   verb.add_option_function<std::string>(
       "--range",
       [&options](const std::string& text) { options.ranges = parse_column_ranges(text); },

@@ -129,13 +129,6 @@ Interval sigma_interval(double squares, double freedom, double quantum, double c
   return interval;
 }
 
-/// Clopper and Pearson's.
-Interval exact_interval(double events, double n, double confidence) {
-  const double tail = 0.5 * (1 - confidence);
-  return {distributions::binomial_lower_bound(events, n, tail),
-          distributions::binomial_upper_bound(events, n, tail)};
-}
-
 }  // namespace
 
 RangeNoise estimate_range_noise(const MotionLog& log, double confidence) {
@@ -178,7 +171,8 @@ RangeNoise estimate_range_noise(const MotionLog& log, double confidence) {
   noise.sigma = noise_of(squares / freedom, noise.quantum);
   noise.sigma_interval = sigma_interval(squares, freedom, noise.quantum, confidence);
   noise.dropout_ratio = dropouts / static_cast<double>(noise.ranges);
-  noise.dropout_interval = exact_interval(dropouts, static_cast<double>(noise.ranges), confidence);
+  noise.dropout_interval =
+      clopper_pearson_interval(dropouts, static_cast<double>(noise.ranges), confidence);
   return noise;
 }
 

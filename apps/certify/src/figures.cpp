@@ -80,8 +80,8 @@ double y_of(double rate) {
 /// The rate of success in a range, with its interval.
 std::string bar(const Axis& axis, const Json& row) {
   const double runs = row.at("runs").get<double>();
-  const double rate = 1 - row.at("failures").get<double>() / runs;
-  const Interval interval = wilson_interval(rate, runs, 0.95);
+  const double successes = runs - row.at("failures").get<double>(), rate = successes / runs;
+  const Interval interval = clopper_pearson_interval(successes, runs, 0.95);
   const double a = axis.x(row.at("from").get<double>()), b = axis.x(row.at("to").get<double>());
   const std::string title =
       fmt::format("{} to {}: {:.2f} [{:.2f}, {:.2f}], {:.0f} runs", format_number(row.at("from")),

@@ -101,9 +101,9 @@ void require_runs(double rate, double confidence, const std::string& option, std
 }
 
 std::string rate_text(std::size_t runs, std::size_t successes, double confidence) {
-  const double n = static_cast<double>(runs), rate = static_cast<double>(successes) / n;
-  const Interval interval = wilson_interval(rate, n, confidence);
-  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", rate, interval.low, interval.high);
+  const double n = static_cast<double>(runs), k = static_cast<double>(successes);
+  const Interval interval = clopper_pearson_interval(k, n, confidence);
+  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", k / n, interval.low, interval.high);
 }
 
 Json failure_json(const BlockRunner& runner, const RunStream& stream, std::size_t index,

@@ -12,9 +12,9 @@
   METRIC(safety, 2, "Safety", "-", Up, Ratio, at_least(0))                                        \
   METRIC(safety_area, 2, "Safety area", "m", Down, Amount, at_least(0))                           \
   METRIC(optisafe, 3, "Optimality and safety", "-", Up, Ratio, between(0, 1))                     \
-  METRIC(spl, 3, "Success weighted by path length", "-", Up, Ratio, between(0, 1))                \
+  METRIC(spl, 3, "Success weighted by path length", "-", Up, Score, between(0, 1))                \
   METRIC(soft_spl, 3, "Soft success weighted by path length", "-", Up, Ratio, between(0, 1))      \
-  METRIC(barn_score_v2, 2, "BARN challenge score", "-", Up, Ratio, between(0, 0.5))               \
+  METRIC(barn_score_v2, 2, "BARN challenge score", "-", Up, Score, between(0, 0.5))               \
   METRIC(path_length, 2, "Path length", "m", Down, Amount, at_least(0))                           \
   METRIC(path_excess, 3, "Path excess", "-", Down, Ratio, at_least(0))                            \
   METRIC(time_to_goal, 1, "Time to goal", "s", Down, Amount, at_least(0))                         \

@@ -3,7 +3,11 @@
 "use strict";
 
 // Cells with fewer values get neither shade nor whisker: they would dominate the column's scale.
-const enoughToDraw = (cell) => cell.n >= 5 && cell.interval !== null;
+const enoughToDraw = (cell) => cell.n >= 5;
+
+// The interval of a cell with its estimate: of the median where the mean has none.
+const stated = (cell) => (cell.median_interval ? { estimate: cell.median, interval: cell.median_interval }
+                                               : { estimate: cell.mean, interval: cell.interval });
 
 // More than a tenth of the runs have no value: the mean describes the others only, such as those that succeeded.
 const survivorsOnly = (cell) => cell.n > 0 && 10 * missing(cell) > cell.n + missing(cell);
@@ -20,8 +24,9 @@ function scaleOf(column, cells) {
   const scale = { column, digits: digitsOf(cells, column), low: 0, high: 1, ...rateEnds };
   const drawn = cells.filter(enoughToDraw), means = drawn.filter((cell) => !survivorsOnly(cell)).map((cell) => cell.mean);
   if (column.rate || drawn.length === 0) return scale;
-  scale.low = Math.min(...drawn.map((cell) => cell.interval[0]));
-  scale.high = Math.max(...drawn.map((cell) => cell.interval[1]));
+  const intervals = drawn.map((cell) => stated(cell).interval).filter((interval) => interval);
+  scale.low = Math.min(...intervals.map((interval) => interval[0]));
+  scale.high = Math.max(...intervals.map((interval) => interval[1]));
   const ends = [Math.min(...means), Math.max(...means)];
   [scale.worst, scale.best] = column.direction === "down" ? ends.reverse() : ends;
   return scale;
@@ -32,7 +37,7 @@ const numberText = (number, digits) => (Math.abs(number) < 1e9 ? fixed(number, d
 const intervalText = (interval, digits) =>
   interval ? `[${numberText(interval[0], digits)}, ${numberText(interval[1], digits)}]` : "";
 const missing = (cell) => Object.values(cell.na).reduce((sum, n) => sum + n, 0);
-const valuesText = (cell) => "n=" + cell.n + (missing(cell) ? " NA=" + missing(cell) : "");
+const valuesText = (cell) => "n = " + cell.n + (missing(cell) ? " of " + (cell.n + missing(cell)) : "");
 const reasonsText = (na) => Object.entries(na).map(([reason, n]) => n + " " + reason).join(", ");
 const support = (...children) => html("span", { class: "support" }, ...children);
 
@@ -42,17 +47,19 @@ const countText = ({ mean, n }) => Math.round((mean || 0) * n) + "/" + n;
 function supportText(cell, column, digits) {
   if (column.rate && cell.mean !== null)
     return countText(cell) + (missing(cell) ? " NA=" + missing(cell) : "");
-  return (cell.deviation === null ? "" : "±" + numberText(cell.deviation, digits) + " ") + valuesText(cell);
+  return (cell.median_interval ? `median ${numberText(cell.median, digits)} ${intervalText(cell.median_interval, digits)} ` : "") +
+    (cell.deviation === null ? "" : "±" + numberText(cell.deviation, digits) + " ") + valuesText(cell);
 }
 
-// The mean as a dot on its interval.
+// The estimate as a dot on its interval.
 function whisker(cell, { low, high }) {
-  if (!enoughToDraw(cell) || high <= low) return null;
+  const { estimate, interval } = stated(cell);
+  if (!enoughToDraw(cell) || !interval || high <= low) return null;
   const x = (value) => (4 + (112 * (value - low)) / (high - low)).toFixed(1);
   const bar = (name, from, to) => svg("line", { class: name, x1: from, x2: to, y1: 4.5, y2: 4.5 });
   return svg("svg", { class: "whisker", viewBox: "0 0 120 9", preserveAspectRatio: "xMinYMid", "aria-hidden": "true" },
-    bar("axis", 4, 116), bar(null, x(cell.interval[0]), x(cell.interval[1])),
-    svg("circle", { cx: x(cell.mean), cy: 4.5, r: 3 }));
+    bar("axis", 4, 116), bar(null, x(interval[0]), x(interval[1])),
+    svg("circle", { cx: x(estimate), cy: 4.5, r: 3 }));
 }
 
 const runsLink = (group) => "runs.html#cell-" + group;

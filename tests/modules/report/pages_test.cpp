@@ -155,7 +155,7 @@ TEST_F(ReportPages, ShadeNoFieldOfAMapWithFewerThanFiveValues) {
   two_axes.rows = parse_bin_specs("density:0,0.0015,1;success:0,0.5,1");
   write(file, two_axes);
   const std::string maps = section(open("index.html"), "maps");
-  const std::regex field("<td class=\"cell\"([^>]*)>(?:(?!</td>).)*n=([0-9]+)</span></td>");
+  const std::regex field("<td class=\"cell\"([^>]*)>(?:(?!</td>).)*n = ([0-9]+)[^<]*</span></td>");
   std::multiset<std::string> sizes;
   for (std::sregex_iterator it(maps.begin(), maps.end(), field), end; it != end; ++it) {
     sizes.insert((*it)[2]);

@@ -44,9 +44,7 @@ CommonScenarios make_common(const ResultTable& table, const Column& column,
   for (std::size_t run = 0; run < table.size(); ++run)
     if (common[table.scenario[run]]) made.runs[table.method[run]].push_back(run);
   for (std::size_t i = 0; i < made.runs.size(); ++i)
-    made.cells.push_back(
-        make_cell(table, made.runs[i], values, options,
-                  join({unmarked_name(table, table.methods[i]), "common", column.info.id}, "/")));
+    made.cells.push_back(make_cell(table, made.runs[i], values, options));
   return made;
 }
 

@@ -4,6 +4,7 @@
 #include <slalom/analysis/rank_regression.h>
 #include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/scenario_means.h>
+#include <slalom/core/random.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>

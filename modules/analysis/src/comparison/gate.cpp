@@ -54,6 +54,10 @@ std::vector<GateResult> evaluate_gate(const Gate& gate, const std::vector<Paired
     if (comparison.column.info.id != gate.metric) continue;
     GateResult result{gate,  comparison.a, comparison.b, comparison.difference, comparison.interval,
                       false, false};
+    if (on == GateOn::Interval && !result.interval && comparison.shift) {
+      result.difference = comparison.shift->estimate;
+      result.interval = comparison.shift->interval;
+    }
     if (on == GateOn::Estimate && result.difference) {
       result.evaluated = true;
       result.passed = satisfies(gate, *result.difference);

@@ -49,8 +49,7 @@ HistoryCurve curve_of(const std::vector<ResultTable>& results, const std::string
     for (std::size_t run = 0; run < result.size(); ++run)
       if (result.method[run] == index) runs.push_back(run);
     const Side now{&result, method, method + " (" + result.source + ")"};
-    point.cell = make_cell(result, runs, require_metric(result, metric), options.analysis,
-                           join({method, result.source, metric}, "/"));
+    point.cell = make_cell(result, runs, require_metric(result, metric), options.analysis);
     if (before) point.change = change_of(*before, now, metric, options);
     before = now;
     curve.points.push_back(std::move(point));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/campaign_settings.h>
 #include <slalom/analysis/cross_table.h>
+#include <slalom/analysis/mean_interval.h>
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/analysis/power.h>
 #include <slalom/analysis/rate_tests.h>
@@ -43,10 +44,39 @@ std::vector<Key> keys_of(const Side& side) {
   return keys;
 }
 
-/// Values of pairs, averaged by scenario.
+/// Values of a side, averaged by scenario.
+struct SideValues {
+  std::vector<double> means, successes;  ///< of the values, and of those that are not 0
+  std::size_t runs = 0;                  ///< with a value
+
+  bool one_run_each() const { return runs == means.size(); }
+};
+
+/// Averages the values of successive scenarios.
+class ScenarioAverage {
+ public:
+  void add(double value) {
+    sum_ += value;
+    successes_ += value != 0 ? 1 : 0;
+    ++size_;
+  }
+  void close(SideValues& values) {
+    if (size_ == 0) return;
+    const double size = static_cast<double>(size_);
+    values.means.push_back(sum_ / size);
+    values.successes.push_back(successes_ / size);
+    values.runs += size_;
+    *this = {};
+  }
+
+ private:
+  double sum_ = 0, successes_ = 0;
+  std::size_t size_ = 0;
+};
+
+/// Values of pairs.
 struct PairedValues {
-  std::vector<double> a, b;
-  bool one_run_each = true;
+  SideValues a, b;
   bool identical = true;
 };
 
@@ -68,9 +98,8 @@ class Pairing {
     const double x = a_.number(a.run), y = b_.number(b.run);
     const double tolerance = kTieTolerance * std::max(std::abs(x), std::abs(y));
     values_.identical = values_.identical && std::abs(x - y) <= tolerance;
-    sum_a_ += x;
-    sum_b_ += y;
-    ++size_;
+    average_a_.add(x);
+    average_b_.add(y);
   }
   PairedValues values() {
     close();
@@ -82,16 +111,11 @@ class Pairing {
   const ValueColumn &a_, &b_;
   PairedValues values_;
   const std::string* scenario_ = nullptr;
-  double sum_a_ = 0, sum_b_ = 0;
-  std::size_t size_ = 0;
+  ScenarioAverage average_a_, average_b_;
 
   void close() {
-    if (size_ == 0) return;
-    values_.a.push_back(sum_a_ / static_cast<double>(size_));
-    values_.b.push_back(sum_b_ / static_cast<double>(size_));
-    values_.one_run_each = values_.one_run_each && size_ == 1;
-    sum_a_ = sum_b_ = 0;
-    size_ = 0;
+    average_a_.close(values_.a);
+    average_b_.close(values_.b);
   }
 };
 
@@ -116,14 +140,13 @@ PairedValues paired_values(PairedComparison& comparison, const Side& a, const Si
 
 /// Within which differences are zero or tied.
 double tolerance_of(const PairedValues& values) {
-  return std::max(tie_tolerance(values.a), tie_tolerance(values.b));
+  return std::max(tie_tolerance(values.a.means), tie_tolerance(values.b.means));
 }
 
 std::vector<double> differences_of(const PairedValues& values) {
   std::vector<double> differences;
-  for (std::size_t i = 0; i < values.a.size(); ++i) {
-    differences.push_back(values.b[i] - values.a[i]);
-  }
+  for (std::size_t i = 0; i < values.a.means.size(); ++i)
+    differences.push_back(values.b.means[i] - values.a.means[i]);
   return differences;
 }
 
@@ -134,7 +157,7 @@ void add_test(PairedComparison& comparison, const PairedValues& values,
   for (const double d : differences) {
     ++(d > tolerance ? comparison.higher : d < -tolerance ? comparison.lower : comparison.equal);
   }
-  if (comparison.column.info.is_rate() && values.one_run_each) {
+  if (comparison.column.info.is_rate() && values.a.one_run_each()) {
     comparison.test = Test::McNemarExact;
     comparison.p = mcnemar_exact(comparison.higher, comparison.lower);
     return;
@@ -148,27 +171,89 @@ Range difference_range(const Range& range) {
   return Range::between(range.low - range.high, range.high - range.low);
 }
 
+GroupSums singles(const std::vector<double>& values) {
+  return {values, std::vector<double>(values.size(), 1.0)};
+}
+
+/// The interval of a side's mean over scenarios, of values with bounds that are not rates.
+std::optional<Interval> side_interval(const QuantityInfo& info, const SideValues& values,
+                                      double confidence) {
+  if (info.kind != QuantityKind::Score)
+    return gaffke_interval(moments_of(singles(values.means)), singles(values.means), info.range,
+                           confidence);
+  // All scenarios count alike, as if each had the mean number of runs.
+  const double scenarios = static_cast<double>(values.means.size()),
+               size = static_cast<double>(values.runs) / scenarios;
+  GroupSums groups = singles(values.means);
+  std::vector<double> positives = values.successes;
+  for (std::size_t i = 0; i < groups.groups(); ++i) {
+    groups.sums[i] *= size;
+    groups.sizes[i] = size;
+    positives[i] *= size;
+  }
+  return hurdle_interval(score_moments(groups, positives), info.range.high, confidence);
+}
+
+void add_difference_of_sides(PairedComparison& comparison, const SideValues& a, const SideValues& b,
+                             double correlation, double confidence) {
+  const QuantityInfo& info = comparison.column.info;
+  const auto of_a = side_interval(info, a, confidence), of_b = side_interval(info, b, confidence);
+  if (!of_a || !of_b) return;
+  comparison.interval = clip_to_range(
+      difference_range(info.range), *comparison.difference,
+      difference_interval(*comparison.mean_b, *of_b, *comparison.mean_a, *of_a, correlation));
+}
+
+/// The natural logarithms of the values; none if one is not positive.
+std::optional<std::vector<double>> logarithms(std::vector<double> values) {
+  for (double& value : values) {
+    if (!(value > 0)) return std::nullopt;
+    value = std::log(value);
+  }
+  return values;
+}
+
+/// The ratio of geometric means, of positive values without an upper bound: t of its logarithm.
+void add_ratio(PairedComparison& comparison, const SideValues& a, const SideValues& b,
+               double confidence) {
+  if (!states_median(comparison.column.info)) return;
+  const auto log_a = logarithms(a.means), log_b = logarithms(b.means);
+  if (!log_a || !log_b) return;
+  comparison.ratio = std::exp(mean(*log_b) - mean(*log_a));
+  std::optional<Interval> interval;
+  if (comparison.is_unpaired) {
+    interval = welch_interval(*log_b, *log_a, confidence);
+  } else {
+    std::vector<double> differences = *log_b;
+    for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= (*log_a)[i];
+    interval = t_interval(singles(differences), confidence);
+  }
+  if (interval)
+    comparison.ratio_interval = Interval{std::exp(interval->low), std::exp(interval->high)};
+}
+
 void add_effect(PairedComparison& comparison, const PairedValues& values,
-                const std::vector<double>& differences, const AnalysisOptions& options) {
-  comparison.mean_a = mean(values.a);
-  comparison.mean_b = mean(values.b);
+                const std::vector<double>& differences, double confidence) {
+  const std::vector<double>&a = values.a.means, &b = values.b.means;
+  const QuantityInfo& info = comparison.column.info;
+  comparison.mean_a = mean(a);
+  comparison.mean_b = mean(b);
   comparison.difference = mean(differences);
-  comparison.superiority = probability_of_superiority(values.b, values.a);
-  if (comparison.column.info.is_rate()) {
-    comparison.interval = paired_rate_interval(values.b, values.a, options.confidence);
+  comparison.superiority = probability_of_superiority(b, a);
+  if (info.is_rate()) {
+    comparison.interval = paired_rate_interval(b, a, confidence);
     return;
   }
-  comparison.shift = hodges_lehmann(differences, options.confidence);
-  GroupSums groups;
-  groups.sums = differences;
-  groups.sizes.assign(differences.size(), 1.0);
-  const QuantityInfo& info = comparison.column.info;
-  RandomEngine engine(
-      derive_seed(options.seed, join({"compare", comparison.a, comparison.b, info.id}, "/")));
-  comparison.interval = mean_interval(groups, options.confidence, engine);
-  if (comparison.interval)
-    comparison.interval =
-        clip_to_range(difference_range(info.range), *comparison.difference, *comparison.interval);
+  comparison.shift = hodges_lehmann(differences, confidence);
+  add_ratio(comparison, values.a, values.b, confidence);
+  if (!info.range.is_bounded()) return;
+  if (info.kind == QuantityKind::Score) {
+    add_difference_of_sides(comparison, values.a, values.b, correlation(a, b), confidence);
+  } else if (is_within(info.range, *comparison.mean_a) &&
+             is_within(info.range, *comparison.mean_b)) {
+    comparison.interval = gaffke_interval(moments_of(singles(differences)), singles(differences),
+                                          difference_range(info.range), confidence);
+  }
 }
 
 double relevant_difference(const PairedComparison& comparison, const ComparisonOptions& options) {
@@ -203,15 +288,21 @@ void add_power(PairedComparison& comparison, double deviation, std::size_t small
   }
 }
 
-bool excludes_zero(const PairedComparison& comparison) {
-  return comparison.interval && (comparison.interval->low > 0 || comparison.interval->high < 0);
+/// The sign of all differences in the deciding interval; 0 if it has both, or if there is none.
+int interval_sign(const PairedComparison& comparison) {
+  const DecidingInterval deciding = deciding_interval(comparison);
+  if (!deciding.interval) return 0;
+  return deciding.interval->low > deciding.null    ? 1
+         : deciding.interval->high < deciding.null ? -1
+                                                   : 0;
 }
 
 Verdict verdict_of(const PairedComparison& comparison) {
   if (comparison.other_settings) return Verdict::OtherSettings;
   if (comparison.identical) return Verdict::Identical;
   const bool rejects = comparison.adjusted_p <= test_level(comparison.confidence);
-  if (rejects != excludes_zero(comparison)) return Verdict::Unconfirmed;
+  const int sign = interval_sign(comparison);
+  if (rejects != (sign != 0)) return Verdict::Unconfirmed;
   if (!rejects) {
     const bool enough =
         comparison.required_scenarios > 0 && comparison.scenarios >= comparison.required_scenarios;
@@ -219,8 +310,7 @@ Verdict verdict_of(const PairedComparison& comparison) {
   }
   const Direction direction = comparison.column.info.direction;
   if (direction == Direction::None) return Verdict::Different;
-  const bool up = comparison.interval->low > 0;
-  return up == (direction == Direction::Up) ? Verdict::Better : Verdict::Worse;
+  return (sign > 0) == (direction == Direction::Up) ? Verdict::Better : Verdict::Worse;
 }
 
 /// Corrects the p values of one family.
@@ -253,53 +343,46 @@ PairedComparison begin_comparison(const Side& a, const Side& b, const std::strin
   return comparison;
 }
 
-/// Values of a side alone.
-struct SideValues {
-  std::vector<double> means;  ///< by scenario
-  bool one_run_each = true;
-};
-
 /// Counts the runs without a partner, and those without a value.
 SideValues values_of(const Side& side, const std::string& metric, PairedComparison& comparison) {
   const ValueColumn& column = require_metric(*side.table, metric);
   const std::uint32_t method = index_of_method(*side.table, side.method);
-  SideValues values;
-  for (const auto& value : scenario_means(*side.table, method, column))
-    if (value) values.means.push_back(*value);
-  std::size_t runs = 0, available = 0;
+  std::vector<ScenarioAverage> averages(side.table->scenario_hashes.size());
   for (std::size_t run = 0; run < side.table->size(); ++run) {
     if (side.table->method[run] != method) continue;
-    ++runs;
-    available += column.is_na(run) ? 0 : 1;
+    ++comparison.unpaired;
+    if (column.is_na(run)) {
+      ++comparison.runs_without_value;
+    } else {
+      averages[side.table->scenario[run]].add(column.number(run));
+    }
   }
-  comparison.unpaired += runs;
-  comparison.runs_without_value += runs - available;
-  values.one_run_each = available == values.means.size();
+  SideValues values;
+  for (ScenarioAverage& average : averages) average.close(values);
   return values;
 }
 
-void add_unpaired_effect(PairedComparison& comparison, const std::vector<double>& a,
-                         const std::vector<double>& b, double confidence) {
-  comparison.mean_a = mean(a);
-  comparison.mean_b = mean(b);
+void add_unpaired_effect(PairedComparison& comparison, const SideValues& a, const SideValues& b,
+                         double confidence) {
+  comparison.mean_a = mean(a.means);
+  comparison.mean_b = mean(b.means);
   comparison.difference = *comparison.mean_b - *comparison.mean_a;
-  comparison.superiority = probability_of_superiority(b, a);
-  const QuantityInfo& info = comparison.column.info;
-  if (info.is_rate()) {
-    comparison.interval =
-        rate_difference_interval(*comparison.mean_b, static_cast<double>(b.size()),
-                                 *comparison.mean_a, static_cast<double>(a.size()), 0, confidence);
+  comparison.superiority = probability_of_superiority(b.means, a.means);
+  if (comparison.column.info.is_rate()) {
+    comparison.interval = rate_difference_interval(
+        *comparison.mean_b, static_cast<double>(b.means.size()), *comparison.mean_a,
+        static_cast<double>(a.means.size()), 0, confidence);
     return;
   }
-  comparison.interval = welch_interval(b, a, confidence);
-  if (comparison.interval)
-    comparison.interval =
-        clip_to_range(difference_range(info.range), *comparison.difference, *comparison.interval);
+  comparison.shift = rank_sum_shift(b.means, a.means, confidence);
+  add_ratio(comparison, a, b, confidence);
+  if (comparison.column.info.range.is_bounded())
+    add_difference_of_sides(comparison, a, b, 0, confidence);
 }
 
 void add_unpaired_test(PairedComparison& comparison, const SideValues& a, const SideValues& b) {
   using Test = PairedComparison::Test;
-  if (comparison.column.info.is_rate() && a.one_run_each && b.one_run_each) {
+  if (comparison.column.info.is_rate() && a.one_run_each() && b.one_run_each()) {
     const auto ones = [](const std::vector<double>& bits) {
       return static_cast<std::size_t>(std::count(bits.begin(), bits.end(), 1.0));
     };
@@ -333,11 +416,11 @@ PairedComparison compare_pair(const Side& a, const Side& b, const std::string& m
                               const ComparisonOptions& options) {
   PairedComparison comparison = begin_comparison(a, b, metric, options);
   const PairedValues values = paired_values(comparison, a, b, metric);
-  comparison.scenarios = values.a.size();
-  if (values.a.empty()) return comparison;
+  comparison.scenarios = values.a.means.size();
+  if (values.a.means.empty()) return comparison;
   const std::vector<double> differences = differences_of(values);
   comparison.identical = values.identical;
-  add_effect(comparison, values, differences, options.analysis);
+  add_effect(comparison, values, differences, options.analysis.confidence);
   add_test(comparison, values, differences);
   add_power(comparison, planning_deviation(comparison, differences),
             min_pairs(test_level(options.analysis.confidence)), options);
@@ -356,13 +439,20 @@ PairedComparison compare_unpaired(const Side& a, const Side& b, const std::strin
   comparison.scenarios_b = right.means.size();
   comparison.scenarios = std::min(left.means.size(), right.means.size());
   if (comparison.scenarios == 0) return comparison;
-  add_unpaired_effect(comparison, left.means, right.means, options.analysis.confidence);
+  add_unpaired_effect(comparison, left, right, options.analysis.confidence);
   add_unpaired_test(comparison, left, right);
   add_power(comparison, unpaired_deviation(comparison, left.means, right.means),
             min_per_sample(test_level(options.analysis.confidence)), options);
   comparison.adjusted_p = comparison.p;
   comparison.verdict = verdict_of(comparison);
   return comparison;
+}
+
+DecidingInterval deciding_interval(const PairedComparison& comparison) {
+  const QuantityInfo& info = comparison.column.info;
+  if (info.is_rate() || info.kind == QuantityKind::Score) return {comparison.interval, 0};
+  if (comparison.ratio_interval) return {comparison.ratio_interval, 1};
+  return {comparison.shift ? comparison.shift->interval : std::nullopt, 0};
 }
 
 void finish_families(std::vector<PairedComparison>& comparisons) {

@@ -4,6 +4,7 @@
 #include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/scenario_means.h>
 #include <slalom/analysis/statistics.h>
+#include <slalom/core/random.h>
 
 #include <algorithm>
 #include <map>

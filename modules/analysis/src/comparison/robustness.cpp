@@ -87,8 +87,7 @@ RobustnessPoint point_of(const Setting& setting, const Setting& first, const std
   }
   const std::string name = side_name(setting, method, parameter);
   point.cell = make_cell(*setting.table, point.runs, require_metric(*setting.table, metric),
-                         options.analysis,
-                         side_name(setting, unmarked_name(method), parameter) + "/" + metric);
+                         options.analysis);
   if (setting.table != first.table) {
     const Side before{first.table, method, side_name(first, method, parameter)};
     point.change = compare_pair(before, {setting.table, method, name}, metric, options);

@@ -7,6 +7,7 @@
 #include <slalom/analysis/statistics.h>
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
+#include <slalom/core/random.h>
 #include <slalom/core/text.h>
 
 #include <algorithm>

@@ -24,15 +24,29 @@ std::string sample_text(const PairedComparison& c) {
   return std::to_string(c.scenarios_a) + " and " + count_text(c.scenarios_b, "unpaired scenario");
 }
 
+std::string interval_text(const std::optional<Interval>& interval, int digits) {
+  if (!interval) return "";
+  return " [" + format_fixed(interval->low, digits) + ", " + format_fixed(interval->high, digits) +
+         "]";
+}
+
+/// ", ratio of geometric means 0.912 [0.850, 0.978]", or the shift, if that decides.
+std::string deciding_text(const PairedComparison& c, int digits) {
+  if (c.column.info.is_rate() || c.column.info.kind == QuantityKind::Score) return "";
+  if (c.ratio_interval)
+    return ", ratio of geometric means " + format_fixed(*c.ratio, 3) +
+           interval_text(c.ratio_interval, 3);
+  if (!c.shift || !c.shift->interval) return "";
+  return ", shift " + format_fixed(c.shift->estimate, digits) +
+         interval_text(c.shift->interval, digits);
+}
+
 std::string statistics_text(const PairedComparison& c) {
   const int digits = digits_of(std::max(std::abs(*c.mean_a), std::abs(*c.mean_b)));
-  std::string text = format_fixed(*c.mean_b, digits) + " against " +
-                     format_fixed(*c.mean_a, digits) + ", difference " +
-                     format_fixed(*c.difference, digits);
-  if (c.interval) {
-    text += " [" + format_fixed(c.interval->low, digits) + ", " +
-            format_fixed(c.interval->high, digits) + "]";
-  }
+  const std::string text = format_fixed(*c.mean_b, digits) + " against " +
+                           format_fixed(*c.mean_a, digits) + ", difference " +
+                           format_fixed(*c.difference, digits) + interval_text(c.interval, digits) +
+                           deciding_text(c, digits);
   return text + " over " + sample_text(c) + ", " + p_text(c.adjusted_p) + " (" + to_string(c.test) +
          ", " + family_text(c) + ")";
 }
@@ -71,12 +85,15 @@ std::string not_enough(const PairedComparison& c) {
 std::string unconfirmed(const PairedComparison& c) {
   const std::string head = "the difference between " + c.b + " and " + c.a + " in " +
                            c.column.info.id + " is not confirmed: " + statistics_text(c) + "; ";
+  const DecidingInterval deciding = deciding_interval(c);
+  const std::string null = format_number(deciding.null);
   if (c.adjusted_p <= test_level(c.confidence))
-    return head + "the test rejects equality, but the interval includes 0";
+    return head + "the test rejects equality, but " +
+           (deciding.interval ? "the interval includes " + null : "there is no interval");
   const std::string correction =
       c.p <= test_level(c.confidence) ? " after the correction (before: " + p_text(c.p) + ")" : "";
-  return head + "the interval excludes 0, but the test does not reject equality" + correction +
-         (c.required_scenarios > c.scenarios ? more_text(c) : "");
+  return head + "the interval excludes " + null + ", but the test does not reject equality" +
+         correction + (c.required_scenarios > c.scenarios ? more_text(c) : "");
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ DataTable exact_table(const std::vector<PairedComparison>& family) {
     rows.add("mean_a", c.mean_a);
     rows.add("mean_b", c.mean_b);
     rows.add("difference", c.difference, c.interval);
+    rows.add("ratio", c.ratio, c.ratio_interval);
     rows.add("higher", c.higher);
     rows.add("lower", c.lower);
     rows.add("equal", c.equal);
@@ -61,6 +62,8 @@ DataTable exact_table(const std::vector<PairedComparison>& family) {
 
 DataTable view_table(const std::vector<PairedComparison>& family) {
   RowTable rows("comparisons", title_of(family));
+  const bool has_ratio = std::any_of(family.begin(), family.end(),
+                                     [](const PairedComparison& c) { return c.ratio.has_value(); });
   for (const PairedComparison& c : family) {
     rows.begin_row();
     rows.add("metric", Field{c.column.info.id});
@@ -75,6 +78,7 @@ DataTable view_table(const std::vector<PairedComparison>& family) {
     rows.add("mean a", c.mean_a);
     rows.add("mean b", c.mean_b);
     rows.add("b - a", c.difference, c.interval);
+    if (has_ratio) rows.add("b / a", c.ratio, c.ratio_interval);
     rows.add("p (Holm)", std::optional(c.adjusted_p));
     rows.add("family", c.family);
     rows.add("verdict", Field{to_string(c.verdict)});

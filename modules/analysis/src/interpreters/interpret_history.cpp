@@ -35,7 +35,7 @@ DataTable history_table(const HistoryCurve& curve, const std::vector<ResultTable
     if (exact) {
       rows.add_cell(metric, point.cell);
     } else {
-      rows.add_shown_cell(metric, point.cell);
+      rows.add_shown_cell(curve.column.info, point.cell);
     }
     rows.add_change(point.change);
   }

@@ -22,7 +22,7 @@ DataTable curve_table(const RobustnessTable& table, const RobustnessCurve& curve
       rows.add("source", Field{point.source});
       rows.add_cell(metric, point.cell);
     } else {
-      rows.add_shown_cell(metric, point.cell);
+      rows.add_shown_cell(curve.column.info, point.cell);
     }
     rows.add_change(point.change);
     if (exact) rows.add_runs(results[point.result], point.runs);

@@ -27,7 +27,7 @@ void add_common_scenarios(Interpretation& found, const ResultTable& table,
       }
       exact.add_cell(metric, common.cells[i]);
       view.add("n", common.cells[i].available);
-      view.add(metric, common.cells[i].estimate, common.cells[i].interval);
+      view.add_statement(common.column.info, common.cells[i]);
     }
     found.tables.push_back(exact.table());
     found.views.push_back(view.table());
@@ -72,7 +72,7 @@ Interpretation interpret_summary(const std::vector<ResultTable>& results,
     for (std::size_t i = 0; i < summary.columns.size(); ++i) {
       const std::string& metric = summary.columns[i].info.id;
       exact.add_cell(metric, method.cells[i]);
-      view.add(metric, method.cells[i].estimate, method.cells[i].interval);
+      view.add_statement(summary.columns[i].info, method.cells[i]);
       view.add(metric + ".na", method.cells[i].n - method.cells[i].available);
     }
   }

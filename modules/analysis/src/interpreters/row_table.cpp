@@ -36,7 +36,8 @@ void RowTable::add(const std::string& column, const std::optional<double>& estim
 void RowTable::add_cell(const std::string& column, const Cell& cell) {
   add(column, cell.estimate, cell.interval);
   add(column + ".sd", cell.deviation);
-  add(column + ".median", cell.median);
+  add(column + ".interval_na", Field{cell.interval_na});
+  add(column + ".median", cell.median, cell.median_interval);
   add(column + ".iqm", cell.interquartile_mean);
   add(column + ".n", cell.available);
   add(column + ".na", cell.n - cell.available);
@@ -47,10 +48,15 @@ void RowTable::add_cell(const std::string& column, const Cell& cell) {
   add(column + ".empty", Field{empty_reason(cell)});
 }
 
-void RowTable::add_shown_cell(const std::string& column, const Cell& cell) {
+void RowTable::add_statement(const QuantityInfo& info, const Cell& cell) {
+  add(info.id, cell.estimate, cell.interval);
+  if (states_median(info)) add(info.id + ".median", cell.median, cell.median_interval);
+}
+
+void RowTable::add_shown_cell(const QuantityInfo& info, const Cell& cell) {
   add("n", cell.available);
-  add(column, cell.estimate, cell.interval);
-  add(column + ".na", cell.n - cell.available);
+  add_statement(info, cell);
+  add(info.id + ".na", cell.n - cell.available);
 }
 
 void RowTable::add_change(const std::optional<PairedComparison>& change) {

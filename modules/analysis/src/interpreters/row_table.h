@@ -26,10 +26,13 @@ class RowTable {
   /// COLUMN, COLUMN.low, COLUMN.high.
   void add(const std::string& column, const std::optional<double>& estimate,
            const std::optional<Interval>& interval);
-  /// The complete cell: estimate, interval, deviation, median, interquartile mean, counts, reasons.
+  /// The complete cell: estimate, deviation and median with intervals, interquartile mean,
+  /// counts, reasons.
   void add_cell(const std::string& column, const Cell& cell);
-  /// n, estimate with interval, number of NA: what a display shows of a cell.
-  void add_shown_cell(const std::string& column, const Cell& cell);
+  /// The mean with its interval, and the median with its own if it states_median().
+  void add_statement(const QuantityInfo& info, const Cell& cell);
+  /// n, add_statement(), number of NA: what a display shows of a cell.
+  void add_shown_cell(const QuantityInfo& info, const Cell& cell);
   /// Difference with interval, corrected p, size of its family, verdict; without a change empty
   /// fields.
   void add_change(const std::optional<PairedComparison>& change);

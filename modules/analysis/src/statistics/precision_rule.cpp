@@ -16,7 +16,8 @@ constexpr const char* kExpectedInterval =
     "BINS\", such as \"interval(success) < 0.1 in density:10\"";
 
 bool is_narrow_enough(const Cell& cell, double width) {
-  return cell.interval && cell.interval->high - cell.interval->low < width;
+  const auto& interval = stated_interval(cell);
+  return interval && interval->high - interval->low < width;
 }
 
 }  // namespace
@@ -68,8 +69,8 @@ std::string render_precision_text(const PrecisionRule& rule,
                  "runs", rule.metric, "interval", "width", "reached"});
   for (const PrecisionCell& entry : cells) {
     const Cell& cell = entry.cell;
-    const std::string width =
-        cell.interval ? format_fixed(cell.interval->high - cell.interval->low, 4) : "-";
+    const auto& interval = stated_interval(cell);
+    const std::string width = interval ? format_fixed(interval->high - interval->low, 4) : "-";
     grid.add_row({{printable_line(entry.method)},
                   {entry.bin.label()},
                   {std::to_string(cell.n)},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/distributions.h>
+#include <slalom/analysis/mean_interval.h>
 #include <slalom/analysis/rate_tests.h>
 
 #include <algorithm>
@@ -19,26 +20,14 @@ Interval rate_difference_interval(double rate_a, double n_a, double rate_b, doub
                                   double confidence) {
   const Interval a = wilson_interval(rate_a, n_a, confidence);
   const Interval b = wilson_interval(rate_b, n_b, confidence);
-  const auto distance = [phi](double x, double y) {
-    return std::sqrt(std::max(0.0, x * x - 2 * phi * x * y + y * y));
-  };
-  const double difference = rate_a - rate_b;
-  return {std::max(-1.0, difference - distance(rate_a - a.low, b.high - rate_b)),
-          std::min(1.0, difference + distance(a.high - rate_a, rate_b - b.low))};
+  return clip_to_range(Range::between(-1, 1), rate_a - rate_b,
+                       difference_interval(rate_a, a, rate_b, b, phi));
 }
 
 Interval paired_rate_interval(const std::vector<double>& a, const std::vector<double>& b,
                               double confidence) {
-  const double ma = mean(a), mb = mean(b);
-  double aa = 0, bb = 0, ab = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - ma) * (a[i] - ma);
-    bb += (b[i] - mb) * (b[i] - mb);
-    ab += (a[i] - ma) * (b[i] - mb);
-  }
-  const double phi = aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
   const double n = static_cast<double>(a.size());
-  return rate_difference_interval(ma, n, mb, n, phi, confidence);
+  return rate_difference_interval(mean(a), n, mean(b), n, correlation(a, b), confidence);
 }
 
 std::vector<double> holm_adjusted(const std::vector<double>& p) {

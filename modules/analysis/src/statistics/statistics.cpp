@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
 namespace slalom {
@@ -18,52 +17,6 @@ double sum(const std::vector<double>& values) {
 double count(const GroupSums& groups) {
   return sum(groups.sizes);
 }
-
-/// Random integers in [0, end), two of 32 bits from each draw of the engine. Their nonuniformity,
-/// end / 2^32, is negligible for a bootstrap.
-class FastIndex {
- public:
-  FastIndex(RandomEngine& engine, std::uint64_t end) : engine_(engine), end_(end) {}
-  std::size_t operator()() {
-    if (!full_) bits_ = engine_();
-    full_ = !full_;
-    const std::uint64_t half = full_ ? bits_ >> 32U : bits_ & 0xFFFFFFFFU;
-    return static_cast<std::size_t>(half * end_ >> 32U);
-  }
-
- private:
-  RandomEngine& engine_;
-  std::uint64_t end_, bits_ = 0;
-  bool full_ = false;  ///< the lower half has not been used yet
-};
-
-/// Sums over the groups of a resample, of their residuals about the mean of the sample.
-class ResampledGroups {
- public:
-  void add(double residual, double size) {
-    ++groups_;
-    sum_ += residual;
-    values_ += size;
-    squares_ += residual * residual;
-    products_ += residual * size;
-    sizes_ += size * size;
-  }
-
-  /// The deviation of the resample's mean from that of the sample, in standard errors.
-  double studentized(double least_error) const {
-    const double e = sum_ / values_;
-    const double residuals = std::max(0.0, squares_ - 2 * e * products_ + e * e * sizes_);
-    const double error = std::sqrt(variance_of_mean({groups_, values_, e, residuals}));
-    return e / std::max(error, least_error);
-  }
-
- private:
-  double groups_ = 0, sum_ = 0, values_ = 0, squares_ = 0, products_ = 0, sizes_ = 0;
-};
-
-/// Least standard error of a resample, in that of the sample: resamples of nearly equal values
-/// would otherwise make the interval arbitrarily wide.
-constexpr double kLeastError = 0.25;
 
 }  // namespace
 
@@ -138,6 +91,17 @@ std::optional<double> standard_deviation(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const double mean_a = mean(a), mean_b = mean(b);
+  double aa = 0, bb = 0, ab = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    aa += (a[i] - mean_a) * (a[i] - mean_a);
+    bb += (b[i] - mean_b) * (b[i] - mean_b);
+    ab += (a[i] - mean_a) * (b[i] - mean_b);
+  }
+  return aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
+}
+
 Interval wilson_interval(double rate, double n, double confidence) {
   const double z = distributions::normal_quantile(0.5 + confidence / 2);
   const double shrink = 1 + z * z / n;
@@ -146,6 +110,12 @@ Interval wilson_interval(double rate, double n, double confidence) {
   // Rates of 0 and 1 have exact bounds; avoid rounding errors.
   return {rate == 0 ? 0.0 : std::max(0.0, center - half),
           rate == 1 ? 1.0 : std::min(1.0, center + half)};
+}
+
+Interval clopper_pearson_interval(double successes, double n, double confidence) {
+  const double tail = (1 - confidence) / 2;
+  return {successes <= 0 ? 0 : distributions::binomial_lower_bound(successes, n, tail),
+          successes >= n ? 1 : distributions::binomial_upper_bound(successes, n, tail)};
 }
 
 GroupMoments moments_of(const GroupSums& groups) {
@@ -171,21 +141,22 @@ double effective_sample_size(const GroupSums& groups) {
   return effective_sample_size(moments_of(groups));
 }
 
+double runs_of_rate(const GroupMoments& groups, double confidence) {
+  const double k = groups.groups, n = groups.values, runs = effective_sample_size(groups);
+  if (k < 2 || k >= n) return runs;
+  const auto quantile_of = [confidence](double freedom) {
+    return distributions::students_t_quantile(0.5 + confidence / 2, freedom);
+  };
+  const double ratio = quantile_of(n - 1) / quantile_of(k - 1);
+  return std::max(k, runs * ratio * ratio);
+}
+
 Interval rate_interval(const GroupMoments& groups, double confidence) {
-  const double k = groups.groups, n = groups.values;
-  double runs = effective_sample_size(groups);
-  if (k > 1 && k < n) {
-    const auto quantile_of = [confidence](double freedom) {
-      return distributions::students_t_quantile(0.5 + confidence / 2, freedom);
-    };
-    const double ratio = quantile_of(n - 1) / quantile_of(k - 1);
-    runs = std::max(k, runs * ratio * ratio);
-  }
-  return wilson_interval(groups.mean, runs, confidence);
+  return wilson_interval(groups.mean, runs_of_rate(groups, confidence), confidence);
 }
 
 std::optional<Interval> t_interval(const GroupMoments& groups, double confidence) {
-  if (groups.groups < 2) return std::nullopt;
+  if (groups.groups < 2 || groups.residuals <= 0) return std::nullopt;
   const double half = distributions::students_t_quantile(0.5 + confidence / 2, groups.groups - 1) *
                       std::sqrt(variance_of_mean(groups));
   return Interval{groups.mean - half, groups.mean + half};
@@ -200,47 +171,16 @@ Interval percentile_interval(std::vector<double> estimates, double confidence) {
   return {quantile(estimates, 0.5 - confidence / 2), quantile(estimates, 0.5 + confidence / 2)};
 }
 
-std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
-                                           RandomEngine& engine, int resamples) {
-  if (groups.groups() < 2) return std::nullopt;
-  const GroupMoments moments = moments_of(groups);
-  const double error = std::sqrt(variance_of_mean(moments));
-  if (error == 0) return Interval{moments.mean, moments.mean};
-  std::vector<double> residuals;
-  for (std::size_t i = 0; i < groups.groups(); ++i)
-    residuals.push_back(groups.sums[i] - moments.mean * groups.sizes[i]);
-  std::vector<double> deviations;
-  FastIndex drawn(engine, groups.groups());
-  for (int resample = 0; resample < resamples; ++resample) {
-    ResampledGroups drawing;
-    for (std::size_t draw = 0; draw < groups.groups(); ++draw) {
-      const std::size_t chosen = drawn();
-      drawing.add(residuals[chosen], groups.sizes[chosen]);
-    }
-    deviations.push_back(drawing.studentized(kLeastError * error));
-  }
-  const Interval t = percentile_interval(std::move(deviations), confidence);
-  return Interval{moments.mean - t.high * error, moments.mean - t.low * error};
+bool is_within(const Range& range, double value) {
+  constexpr double kRounding = 1e-9;
+  const double within = std::clamp(value, range.low, range.high);
+  return std::abs(within - value) <= kRounding * std::max(1.0, std::abs(within));
 }
 
 Interval clip_to_range(const Range& range, double estimate, Interval interval) {
-  constexpr double kRounding = 1e-9;
-  const double within = std::clamp(estimate, range.low, range.high);
-  if (std::abs(within - estimate) > kRounding * std::max(1.0, std::abs(within))) return interval;
+  if (!is_within(range, estimate)) return interval;
   return {std::clamp(interval.low, range.low, range.high),
           std::clamp(interval.high, range.low, range.high)};
-}
-
-std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,
-                                      RandomEngine& engine) {
-  return mean_interval(moments_of(groups), groups, confidence, engine);
-}
-
-std::optional<Interval> mean_interval(const GroupMoments& moments, const GroupSums& groups,
-                                      double confidence, RandomEngine& engine) {
-  if (moments.groups < kMinForBootstrap || moments.groups > kMaxForBootstrap)
-    return t_interval(moments, confidence);
-  return bootstrap_interval(groups, confidence, engine);
 }
 
 }  // namespace slalom

@@ -138,7 +138,7 @@ std::optional<Trend> find_trend(const std::vector<CellSums>& bins, bool rate) {
     trend.scenarios += scenarios;
     ++trend.bins;
     large_bins += scenarios >= kMinScenariosOfBin ? 1 : 0;
-    has_all_groups = has_all_groups && scenarios <= kMaxForBootstrap;
+    has_all_groups = has_all_groups && scenarios <= kMaxKeptScenarios;
     if (!rate) means.push_back(scenario_means_of(bin.groups()));
   }
   if (trend.scenarios < kMinScenariosOfTrend || large_bins < 2) return std::nullopt;

@@ -98,13 +98,30 @@ RankSumTest rank_sum_test(const std::vector<double>& a, const std::vector<double
   return test;
 }
 
+Shift rank_sum_shift(const std::vector<double>& a, const std::vector<double>& b,
+                     double confidence) {
+  std::vector<double> differences;
+  for (const double x : a)
+    for (const double y : b) differences.push_back(x - y);
+  std::sort(differences.begin(), differences.end());
+  const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
+  const double k = std::floor(m * n / 2 - distributions::normal_quantile(0.5 + confidence / 2) *
+                                              std::sqrt(m * n * (m + n + 1) / 12));
+  Shift shift;
+  shift.estimate = median(differences);
+  if (k < 1) return shift;
+  const auto rank = static_cast<std::ptrdiff_t>(k);
+  shift.interval = Interval{differences.begin()[rank - 1], differences.end()[-rank]};
+  return shift;
+}
+
 std::optional<Interval> welch_interval(const std::vector<double>& a, const std::vector<double>& b,
                                        double confidence) {
   if (a.size() < 2 || b.size() < 2) return std::nullopt;
   const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
   const double va = square(*standard_deviation(a)) / m, vb = square(*standard_deviation(b)) / n;
+  if (va + vb <= 0) return std::nullopt;
   const double difference = mean(a) - mean(b);
-  if (va + vb <= 0) return Interval{difference, difference};
   const double freedom = square(va + vb) / (square(va) / (m - 1) + square(vb) / (n - 1));
   const double half =
       distributions::students_t_quantile(0.5 + confidence / 2, freedom) * std::sqrt(va + vb);

@@ -8,18 +8,29 @@
 namespace slalom {
 namespace {
 
-void add_interval(Cell& cell, const CellSums& sums, const Column& column,
-                  const AnalysisOptions& options, const std::string& label,
+void add_interval(Cell& cell, const CellSums& sums, const QuantityInfo& info, double confidence,
                   const std::function<std::size_t(std::uint32_t)>& rank_of) {
   const GroupMoments moments = sums.moments();
-  if (column.info.is_rate()) {
-    cell.interval = rate_interval(moments, options.confidence);
-    return;
+  if (info.is_rate()) {
+    cell.interval = rate_interval(moments, confidence);
+  } else if (!info.range.is_bounded()) {
+    cell.interval_na = missing_bound(info.range);
+  } else if (!is_within(info.range, moments.mean)) {
+    cell.interval_na = "values outside " + range_notation(info.range);
+  } else if (info.kind == QuantityKind::Score) {
+    cell.interval = hurdle_interval(sums.score_moments(), info.range.high, confidence);
+  } else {
+    cell.interval = gaffke_interval(moments, sums.groups(rank_of), info.range, confidence);
+    if (!cell.interval) cell.interval_na = "values outside " + range_notation(info.range);
   }
-  RandomEngine engine(derive_seed(options.seed, label));
-  cell.interval = mean_interval(moments, sums.groups(rank_of), options.confidence, engine);
-  if (cell.interval)
-    cell.interval = clip_to_range(column.info.range, *cell.estimate, *cell.interval);
+}
+
+/// The runs by scenario; those of a scenario keep their order.
+std::vector<std::size_t> by_scenario(const ResultTable& table, std::vector<std::size_t> runs) {
+  std::stable_sort(runs.begin(), runs.end(), [&](std::size_t a, std::size_t b) {
+    return table.scenario[a] < table.scenario[b];
+  });
+  return runs;
 }
 
 std::size_t count_failures(const ResultTable& table, const std::vector<std::size_t>& runs) {
@@ -48,6 +59,10 @@ void require_readable(const ResultTable& table, const std::string& where, const 
                         "numbers, or words such as NA");
 }
 
+bool states_median(const QuantityInfo& info) {
+  return !info.is_rate() && !info.range.is_bounded();
+}
+
 bool is_survivors_only(std::size_t runs, std::size_t available) {
   return available > 0 && 10 * (runs - available) > runs;
 }
@@ -69,7 +84,7 @@ std::vector<Column> resolve_columns(const ResultTable& table, const std::vector<
 }
 
 Cell make_cell(const CellSums& sums, std::size_t runs, std::size_t failures, const Column& column,
-               const AnalysisOptions& options, const std::string& label,
+               const AnalysisOptions& options,
                const std::function<std::size_t(std::uint32_t)>& rank_of) {
   Cell cell;
   cell.n = runs;
@@ -79,7 +94,7 @@ Cell make_cell(const CellSums& sums, std::size_t runs, std::size_t failures, con
   if (cell.available == 0) return cell;
   cell.estimate = sums.mean();
   cell.deviation = sums.deviation();
-  add_interval(cell, sums, column, options, label, rank_of);
+  add_interval(cell, sums, column.info, options.confidence, rank_of);
   return cell;
 }
 
@@ -91,31 +106,41 @@ std::vector<double> numbers_of(const ValueColumn& values, const std::vector<std:
   return numbers;
 }
 
-void add_medians(Cell& cell, std::vector<double> values) {
-  if (values.empty()) return;
-  const MiddleValues middle = middle_values(std::move(values));
+void add_medians(Cell& cell, const ResultTable& table, const std::vector<std::size_t>& runs,
+                 const ValueColumn& values, double confidence) {
+  std::vector<double> numbers = numbers_of(values, runs);
+  if (numbers.empty()) return;
+  if (states_median(values.info())) {
+    std::vector<std::size_t> sizes;
+    std::vector<double> ordered;
+    std::uint32_t last = 0;
+    for (const std::size_t run : by_scenario(table, runs)) {
+      if (values.is_na(run)) continue;
+      if (ordered.empty() || table.scenario[run] != last) sizes.push_back(0);
+      last = table.scenario[run];
+      ++sizes.back();
+      ordered.push_back(values.number(run));
+    }
+    cell.median_interval = median_interval(ordered, sizes, confidence);
+  }
+  const MiddleValues middle = middle_values(std::move(numbers));
   cell.median = middle.median;
   cell.interquartile_mean = middle.interquartile_mean;
 }
 
 Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs,
-               const ValueColumn& values, const AnalysisOptions& options,
-               const std::string& label) {
-  std::vector<std::size_t> by_scenario = runs;
-  std::stable_sort(by_scenario.begin(), by_scenario.end(), [&](std::size_t a, std::size_t b) {
-    return table.scenario[a] < table.scenario[b];
-  });
+               const ValueColumn& values, const AnalysisOptions& options) {
   RowSums sums(1);
   std::vector<double> value(RowSums::padded(1));
-  for (const std::size_t run : by_scenario) {
+  for (const std::size_t run : by_scenario(table, runs)) {
     value[0] = values.number(run);
     if (values.is_na(run)) sums.add_na(0, values.reason(run));
     sums.add(value.data(), table.scenario[run]);
   }
   sums.end_part([](std::uint32_t scenario) { return scenario; });
   Cell cell = make_cell(sums.cell(0), runs.size(), count_failures(table, runs),
-                        {values.info(), values.wall_clock}, options, label);
-  add_medians(cell, numbers_of(values, runs));
+                        {values.info(), values.wall_clock}, options);
+  add_medians(cell, table, runs, values, options.confidence);
   return cell;
 }
 

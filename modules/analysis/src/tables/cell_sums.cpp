@@ -18,12 +18,11 @@ double CellSums::mean() const {
 
 /// The sum of (x - mean s)^2 from the sums of x^2, x s and s^2; 0 if it is not above the rounding
 /// errors of these sums, which corresponds to differences of 1e-12 of the values.
-double CellSums::residuals(const PreciseSum& squares, const PreciseSum& products,
+double CellSums::residuals(double mean, const PreciseSum& squares, const PreciseSum& products,
                            double sizes) const {
-  const double m = mean();
   PreciseSum square_of_mean, sum = squares;
-  square_of_mean.add_product(m, m);
-  sum.add_product(products, -2 * m);
+  square_of_mean.add_product(mean, mean);
+  sum.add_product(products, -2 * mean);
   sum.add_product(square_of_mean, sizes);
   return sum.value() > squares.value() * kRounding ? sum.value() : 0;
 }
@@ -31,12 +30,27 @@ double CellSums::residuals(const PreciseSum& squares, const PreciseSum& products
 std::optional<double> CellSums::deviation() const {
   if (available_ < 2) return std::nullopt;
   const double n = static_cast<double>(available_);
-  return std::sqrt(residuals(squares_, sum_, n) / (n - 1));
+  return std::sqrt(residuals(mean(), squares_, sum_, n) / (n - 1));
 }
 
 GroupMoments CellSums::moments() const {
   return {static_cast<double>(scenarios_), static_cast<double>(available_), mean(),
-          residuals(scenario_squares_, scenario_products_, size_squares_)};
+          residuals(mean(), scenario_squares_, scenario_products_, size_squares_)};
+}
+
+ScoreMoments CellSums::score_moments() const {
+  const double scenarios = static_cast<double>(scenarios_), n = static_cast<double>(available_),
+               rate = positives_ / n;
+  ScoreMoments moments;
+  moments.success = {scenarios, n, rate,
+                     residuals(rate, {positive_squares_, 0}, {positive_sizes_, 0}, size_squares_)};
+  if (positives_ == 0) return moments;
+  const double given = sum_.value() / positives_;
+  moments.given = {positive_scenarios_, positives_, given,
+                   residuals(given, scenario_squares_, positive_products_, positive_squares_)};
+  moments.products = positive_products_.value() - rate * scenario_products_.value() -
+                     given * positive_squares_ + given * rate * positive_sizes_;
+  return moments;
 }
 
 GroupSums CellSums::groups(const std::function<std::size_t(std::uint32_t)>& rank_of) const {
@@ -92,7 +106,7 @@ void RowSums::add_groups() {
     const auto scenarios =
         static_cast<std::size_t>(sums_[SumArrays::Scenarios * stride + i]) + (size > 0 ? 1 : 0);
     Lists& lists = lists_[i];
-    if (scenarios > kMaxForBootstrap) {
+    if (scenarios > kMaxKeptScenarios) {
       lists.groups = {};
       lists.named = 0;
       continue;
@@ -126,7 +140,13 @@ CellSums RowSums::cell(std::size_t index) const {
                             sum(SumArrays::ScenarioSquaresLow)};
   cell.scenario_products_ = {sum(SumArrays::ScenarioProductsHigh),
                              sum(SumArrays::ScenarioProductsLow)};
+  cell.positive_products_ = {sum(SumArrays::PositiveProductsHigh),
+                             sum(SumArrays::PositiveProductsLow)};
   cell.size_squares_ = sum(SumArrays::SizeSquares);
+  cell.positives_ = sum(SumArrays::Positives);
+  cell.positive_scenarios_ = sum(SumArrays::PositiveScenarios);
+  cell.positive_squares_ = sum(SumArrays::PositiveSquares);
+  cell.positive_sizes_ = sum(SumArrays::PositiveSizes);
   cell.groups_ = lists_[index].groups;
   cell.na_ = lists_[index].na;
   return cell;

@@ -28,8 +28,8 @@ void add_runs(CrossTable* begin, CrossTable* end, const ResultTable& table, cons
       if (options.run_ids)
         for (const std::size_t run : row.runs) row.run_ids.push_back(run_id(table, run));
       for (std::size_t i = 0; options.medians && i < row.cells.size(); ++i)
-        add_medians(row.cells[i],
-                    numbers_of(*find_metric(table, cross->columns[i].info.id), row.runs));
+        add_medians(row.cells[i], table, row.runs, *find_metric(table, cross->columns[i].info.id),
+                    options.confidence);
     }
 }
 

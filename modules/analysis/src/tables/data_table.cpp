@@ -73,6 +73,14 @@ std::string reasons_of(const std::vector<const ValueColumn*>& metrics, std::size
   return join(parts, "; ");
 }
 
+Field low_of(const std::optional<Interval>& interval) {
+  return interval ? Field{interval->low} : Field{};
+}
+
+Field high_of(const std::optional<Interval>& interval) {
+  return interval ? Field{interval->high} : Field{};
+}
+
 struct CellPart {
   const char* suffix;
   Field (*field)(const Cell& cell);
@@ -81,10 +89,12 @@ struct CellPart {
 /// The columns of each cell: the metric's id followed by these suffixes.
 constexpr CellPart kCellParts[] = {
     {"", [](const Cell& cell) { return field_of(cell.estimate); }},
-    {".low", [](const Cell& c) { return c.interval ? Field{c.interval->low} : Field{}; }},
-    {".high", [](const Cell& c) { return c.interval ? Field{c.interval->high} : Field{}; }},
+    {".low", [](const Cell& cell) { return low_of(cell.interval); }},
+    {".high", [](const Cell& cell) { return high_of(cell.interval); }},
     {".deviation", [](const Cell& cell) { return field_of(cell.deviation); }},
     {".median", [](const Cell& cell) { return field_of(cell.median); }},
+    {".median.low", [](const Cell& cell) { return low_of(cell.median_interval); }},
+    {".median.high", [](const Cell& cell) { return high_of(cell.median_interval); }},
     {".n", [](const Cell& cell) { return integer(cell.available); }},
     {".na", [](const Cell& cell) { return integer(cell.n - cell.available); }},
 };

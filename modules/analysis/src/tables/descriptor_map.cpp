@@ -58,11 +58,8 @@ DescriptorMap build_descriptor_map(const ResultTable& table, const std::string& 
   const ValueColumn& values = require_metric(table, metric);
   for (std::size_t i = 0; i < map.rows.size(); ++i) {
     for (std::size_t j = 0; j < map.columns.size(); ++j) {
-      const std::string label = join({method, rows.descriptor, map.rows[i].label(),
-                                      columns.descriptor, map.columns[j].label(), metric},
-                                     "/");
       MapField& field = map.fields[i][j];
-      field.cell = make_cell(table, field.runs, values, options, label);
+      field.cell = make_cell(table, field.runs, values, options);
     }
   }
   return map;

@@ -73,6 +73,7 @@ void add_to_sums(const double* values, std::size_t stride, double* sums) {
     const Vector value = hn::IfThenElseZero(available, read);
     lanes.add(SumArrays::ScenarioSum, value);
     lanes.add(SumArrays::ScenarioSize, hn::IfThenElseZero(available, one));
+    lanes.add(SumArrays::ScenarioPositives, hn::IfThenElseZero(hn::Ne(value, zero), one));
     lanes.add_precisely(SumArrays::SumHigh, value, zero);
     lanes.add_product(SumArrays::SquaresHigh, value, value);
   }
@@ -83,14 +84,21 @@ void close_scenario_of_sums(std::size_t stride, double* sums) {
   const Vector one = hn::Set(tag, 1), zero = hn::Zero(tag);
   for (std::size_t i = 0; i < stride; i += hn::Lanes(tag)) {
     const Lanes lanes(sums + i, stride);
-    const Vector sum = lanes.get(SumArrays::ScenarioSum), size = lanes.get(SumArrays::ScenarioSize);
+    const Vector sum = lanes.get(SumArrays::ScenarioSum), size = lanes.get(SumArrays::ScenarioSize),
+                 positives = lanes.get(SumArrays::ScenarioPositives);
     lanes.add(SumArrays::Available, size);
     lanes.add(SumArrays::Scenarios, hn::IfThenElseZero(hn::Gt(size, zero), one));
     lanes.add_product(SumArrays::ScenarioSquaresHigh, sum, sum);
     lanes.add_product(SumArrays::ScenarioProductsHigh, sum, size);
+    lanes.add_product(SumArrays::PositiveProductsHigh, sum, positives);
     lanes.add(SumArrays::SizeSquares, hn::Mul(size, size));
-    lanes.set(SumArrays::ScenarioSum, zero);
-    lanes.set(SumArrays::ScenarioSize, zero);
+    lanes.add(SumArrays::Positives, positives);
+    lanes.add(SumArrays::PositiveScenarios, hn::IfThenElseZero(hn::Gt(positives, zero), one));
+    lanes.add(SumArrays::PositiveSquares, hn::Mul(positives, positives));
+    lanes.add(SumArrays::PositiveSizes, hn::Mul(positives, size));
+    for (const auto kind :
+         {SumArrays::ScenarioSum, SumArrays::ScenarioSize, SumArrays::ScenarioPositives})
+      lanes.set(kind, zero);
   }
 }
 

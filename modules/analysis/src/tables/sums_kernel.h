@@ -9,9 +9,10 @@ namespace slalom {
 /// A sum with twice the digits of a double has a high and a low part, see PreciseSum.
 struct SumArrays {
   enum Kind : std::size_t {
-    ScenarioSum,   ///< of the values of the current scenario
-    ScenarioSize,  ///< their number
-    SumHigh,       ///< of all values
+    ScenarioSum,        ///< of the values of the current scenario
+    ScenarioSize,       ///< their number
+    ScenarioPositives,  ///< those that are not 0
+    SumHigh,            ///< of all values
     SumLow,
     SquaresHigh,
     SquaresLow,
@@ -19,9 +20,15 @@ struct SumArrays {
     ScenarioSquaresLow,
     ScenarioProductsHigh,  ///< of their sums and sizes
     ScenarioProductsLow,
+    PositiveProductsHigh,  ///< of their sums and numbers of positives
+    PositiveProductsLow,
     SizeSquares,
     Available,
     Scenarios,
+    Positives,          ///< values that are not 0
+    PositiveScenarios,  ///< with such a value
+    PositiveSquares,    ///< of the numbers of positives of scenarios
+    PositiveSizes,      ///< of these numbers and the sizes of the scenarios
     KindCount
   };
   /// Strides are multiples of this.

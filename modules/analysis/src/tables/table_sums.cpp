@@ -222,8 +222,7 @@ std::vector<Column> TableSums::columns() const {
   return columns;
 }
 
-std::vector<Cell> TableSums::cells_of(const Row& row, const std::vector<std::string>& label,
-                                      const AnalysisOptions& options) const {
+std::vector<Cell> TableSums::cells_of(const Row& row, const AnalysisOptions& options) const {
   std::vector<std::size_t> ranks(scenarios_.size());
   std::function<std::size_t(std::uint32_t)> rank_of;
   if (parts_ > 1) {  // a single part has its own order
@@ -232,12 +231,9 @@ std::vector<Cell> TableSums::cells_of(const Row& row, const std::vector<std::str
     rank_of = [&](std::uint32_t key) { return ranks[key]; };
   }
   std::vector<Cell> cells;
-  for (std::size_t i = 0; i < metrics_.size(); ++i) {
-    std::vector<std::string> parts = label;
-    parts.push_back(metrics_[i]);
-    cells.push_back(make_cell(row.cells.cell(i), row.runs, row.failures, *columns_[i], options,
-                              join(parts, "/"), rank_of));
-  }
+  for (std::size_t i = 0; i < metrics_.size(); ++i)
+    cells.push_back(
+        make_cell(row.cells.cell(i), row.runs, row.failures, *columns_[i], options, rank_of));
   return cells;
 }
 
@@ -257,13 +253,7 @@ std::vector<CrossTable> TableSums::cross_tables(const AnalysisOptions& options) 
       cross.undescribed = method.tables[table].undescribed;
       for (std::size_t i = 0; i < rows_[table].bins.size(); ++i) {
         const Row& row = method.tables[table].rows[i];
-        const Bin& bin = rows_[table].bins[i];
-        cross.rows.push_back(
-            {bin,
-             row.runs,
-             {},
-             {},
-             cells_of(row, {unmarked_name(name), cross.descriptor.id, bin.label()}, options)});
+        cross.rows.push_back({rows_[table].bins[i], row.runs, {}, {}, cells_of(row, options)});
       }
       std::vector<const RowSums*> sums;
       for (const Row& row : method.tables[table].rows) sums.push_back(&row.cells);
@@ -283,8 +273,7 @@ SummaryTable TableSums::summary(std::size_t rows, const AnalysisOptions& options
   std::set<std::string> outcomes;
   for (const auto& [name, method] : methods_) {
     const Row& row = method.tables.at(rows).rows.at(0);
-    summary.methods.push_back({name, row.runs, method.outcomes,
-                               cells_of(row, {unmarked_name(name), "summary"}, options)});
+    summary.methods.push_back({name, row.runs, method.outcomes, cells_of(row, options)});
     for (const auto& [outcome, count] : method.outcomes) outcomes.insert(outcome);
   }
   for (const bool success : {true, false})

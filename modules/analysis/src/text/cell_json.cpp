@@ -22,7 +22,9 @@ ordered_json cell_json(const Cell& cell) {
                        {"mean", number_or_null(cell.estimate)},
                        {"deviation", number_or_null(cell.deviation)},
                        {"median", number_or_null(cell.median)},
+                       {"median_interval", interval_json(cell.median_interval)},
                        {"interval", interval_json(cell.interval)}};
+  if (!cell.interval_na.empty()) json["interval_na"] = cell.interval_na;
   for (const auto& [reason, n] : cell.na) json["na"][reason] = n;
   return json;
 }

@@ -8,11 +8,6 @@
 namespace slalom {
 namespace {
 
-std::string missing_text(const Cell& cell) {
-  const std::size_t missing = cell.n - cell.available;
-  return missing == 0 ? "" : " NA=" + std::to_string(missing);
-}
-
 /// Fixed decimals; very large numbers in shortest form.
 std::string number_text(double number, int digits) {
   return std::abs(number) < 1e9 ? format_fixed(number, digits) : format_number(number);
@@ -37,13 +32,19 @@ int column_digits(const CrossTable& table, std::size_t column) {
 }
 
 std::string estimate_text(const Cell& cell, int digits) {
+  if (cell.median_interval) return "median " + number_text(*cell.median, digits);
   return cell.estimate ? number_text(*cell.estimate, digits) : "-";
 }
 
 std::string interval_text(const Cell& cell, int digits) {
-  if (!cell.interval) return "";
-  return "[" + number_text(cell.interval->low, digits) + ", " +
-         number_text(cell.interval->high, digits) + "]";
+  const std::optional<Interval>& interval = stated_interval(cell);
+  if (!interval) return "";
+  return "[" + number_text(interval->low, digits) + ", " + number_text(interval->high, digits) +
+         "]";
+}
+
+const std::optional<Interval>& stated_interval(const Cell& cell) {
+  return cell.median_interval ? cell.median_interval : cell.interval;
 }
 
 std::string support_text(const Cell& cell, const Column& column, int digits) {
@@ -51,15 +52,17 @@ std::string support_text(const Cell& cell, const Column& column, int digits) {
   if (column.info.is_rate() && cell.estimate) {
     const double successes = *cell.estimate * static_cast<double>(cell.available);
     text = std::to_string(std::llround(successes)) + "/" + std::to_string(cell.available);
-  } else {
-    if (cell.deviation) text = "±" + number_text(*cell.deviation, digits) + " ";
-    return text + values_text(cell);
+    const std::size_t missing = cell.n - cell.available;
+    return missing == 0 ? text : text + " NA=" + std::to_string(missing);
   }
-  return text + missing_text(cell);
+  if (cell.median_interval) text = "mean " + number_text(*cell.estimate, digits) + " ";
+  if (cell.deviation) text += "±" + number_text(*cell.deviation, digits) + " ";
+  return text + values_text(cell);
 }
 
 std::string values_text(const Cell& cell) {
-  return "n=" + std::to_string(cell.available) + missing_text(cell);
+  const std::string text = "n = " + std::to_string(cell.available);
+  return cell.available == cell.n ? text : text + " of " + std::to_string(cell.n);
 }
 
 std::string na_text(const Column& column, const std::map<std::string, std::size_t>& reasons) {

@@ -69,6 +69,21 @@ std::string na_lines(const CrossTable& table) {
   return text;
 }
 
+/// Names columns with a mean that has no interval, and no median in its place.
+std::string interval_notes(const std::vector<Column>& columns,
+                           const std::vector<const std::vector<Cell>*>& rows) {
+  std::string text;
+  for (std::size_t column = 0; column < columns.size(); ++column)
+    for (const std::vector<Cell>* cells : rows) {
+      const Cell& cell = (*cells)[column];
+      if (cell.interval_na.empty() || cell.median_interval) continue;
+      text += "NA  interval of a mean of " + printable_line(columns[column].info.id) + ": " +
+              cell.interval_na + "\n";
+      break;
+    }
+  return text;
+}
+
 std::string confidence_text(double confidence) {
   return percent_text(confidence) + " % intervals";
 }
@@ -84,7 +99,9 @@ std::string render_summary_text(const SummaryTable& table) {
     for (const MethodSummary& method : table.methods) cells.push_back(&method.cells[column]);
     digits.push_back(digits_for(cells, table.columns[column]));
   }
+  std::vector<const std::vector<Cell>*> rows;
   for (const MethodSummary& method : table.methods) {
+    rows.push_back(&method.cells);
     std::vector<TextGrid::Lines> row = {{printable_line(method.method)}};
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
       row.push_back(cell_lines(method.cells[column], table.columns[column], digits[column]));
@@ -92,7 +109,8 @@ std::string render_summary_text(const SummaryTable& table) {
     grid.add_row(std::move(row));
   }
   return "Outcomes of all runs\n\n" + outcomes_text(table) + "\nAll scenarios, " +
-         confidence_text(table.confidence) + "\n\n" + grid.text();
+         confidence_text(table.confidence) + "\n\n" + grid.text() +
+         interval_notes(table.columns, rows);
 }
 
 std::string render_cross_table_text(const CrossTable& table) {
@@ -107,7 +125,9 @@ std::string render_cross_table_text(const CrossTable& table) {
     }
     grid.add_row(std::move(cells));
   }
-  text += grid.text() + na_lines(table);
+  std::vector<const std::vector<Cell>*> rows;
+  for (const CrossRow& row : table.rows) rows.push_back(&row.cells);
+  text += grid.text() + na_lines(table) + interval_notes(table.columns, rows);
   for (const std::string& note : table.notes) text += "Note  " + printable_line(note) + "\n";
   for (const Finding& finding : condensed_findings(table))
     text += "→ " + printable_line(finding.text) + "\n";
@@ -117,7 +137,7 @@ std::string render_cross_table_text(const CrossTable& table) {
 std::string render_tables_text(const ResultTable& table, const std::vector<BinSpec>& rows,
                                const std::vector<std::string>& columns, double confidence) {
   AnalysisOptions options;
-  options.run_ids = options.medians = false;
+  options.run_ids = false;
   options.confidence = confidence;
   Interpretation found;
   found.summary = build_summary(table, columns, options);

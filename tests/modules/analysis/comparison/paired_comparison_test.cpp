@@ -2,6 +2,7 @@
 #include "result_fixture.h"
 
 #include <slalom/analysis/gate.h>
+#include <slalom/analysis/mean_interval.h>
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/analysis/power.h>
 #include <slalom/analysis/rate_tests.h>
@@ -217,6 +218,76 @@ TEST(UnpairedComparison, RepetitionsOfAScenarioAreNotIndependent) {
   EXPECT_EQ(c.scenarios_a, 6u);
   EXPECT_EQ(c.test, PairedComparison::Test::RankSumExact);
   EXPECT_GT(c.p, 0.05);
+}
+
+/// Both methods' values of a metric, by scenario.
+ResultTable pairs_of(const QuantityInfo& info, const std::vector<double>& a,
+                     const std::vector<double>& b) {
+  ResultFixture fixture;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::string hash = fixture.add_scenario(Value::of(0.1));
+    fixture.add_run(hash, "a", 0.5);
+    fixture.add_run(hash, "b", 0.5);
+  }
+  ResultTable table = std::move(fixture.table);
+  ValueColumn& values = table.metrics.emplace_back(info);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    values.add_number(a[i]);
+    values.add_number(b[i]);
+  }
+  return table;
+}
+
+TEST(PairedComparison, OfTimesHasTheRatioOfGeometricMeans) {
+  const QuantityInfo time{
+      "time", 1, "Time", "s", Direction::Down, QuantityKind::Amount, Range::at_least(0)};
+  RandomEngine engine(41);
+  std::vector<double> a, b, logs;
+  for (int i = 0; i < 30; ++i) {
+    a.push_back(std::exp(normal(engine, 3, 0.5)));
+    b.push_back(a.back() * std::exp(normal(engine, -0.2, 0.1)));
+    logs.push_back(std::log(b.back() / a.back()));
+  }
+  const PairedComparison c = only(pairs_of(time, a, b), "time");
+  EXPECT_FALSE(c.interval) << "a mean without a bound has none";
+  EXPECT_NEAR(*c.ratio, std::exp(mean(logs)), 1e-12);
+  const auto t = t_interval(moments_of({logs, std::vector<double>(30, 1.0)}), 0.95);
+  EXPECT_NEAR(c.ratio_interval->low, std::exp(t->low), 1e-12);
+  EXPECT_NEAR(c.ratio_interval->high, std::exp(t->high), 1e-12);
+  EXPECT_EQ(c.verdict, Verdict::Better);
+  EXPECT_NE(verdict_sentence(c).find(", ratio of geometric means 0.8"), std::string::npos)
+      << verdict_sentence(c);
+}
+
+TEST(PairedComparison, OfValuesThatAreNotPositiveHasTheShift) {
+  const QuantityInfo clearance{"clearance", 1, "Clearance", "m", Direction::Up};
+  RandomEngine engine(42);
+  std::vector<double> a, b;
+  for (int i = 0; i < 30; ++i) {
+    a.push_back(normal(engine, 0, 0.5));
+    b.push_back(a.back() + normal(engine, 0.2, 0.1));
+  }
+  const PairedComparison c = only(pairs_of(clearance, a, b), "clearance");
+  EXPECT_FALSE(c.interval || c.ratio);
+  EXPECT_EQ(c.verdict, Verdict::Better);
+  EXPECT_NE(verdict_sentence(c).find(", shift 0."), std::string::npos) << verdict_sentence(c);
+}
+
+TEST(PairedComparison, OfScoresCombinesTheHurdleIntervalsOfBothSides) {
+  const QuantityInfo score{
+      "score", 1, "Score", "-", Direction::Up, QuantityKind::Score, Range::between(0, 1)};
+  const std::vector<double> a = {0.9, 0.8, 0, 0.85, 0.95, 0.9, 0, 0.8},
+                            b = {0.9, 0.7, 0.9, 0.8, 0.9, 0.9, 0, 0.7}, ones(8, 1.0);
+  const auto hurdle = [&](const std::vector<double>& values) {
+    std::vector<double> positives;
+    for (const double value : values) positives.push_back(value > 0 ? 1 : 0);
+    return hurdle_interval(score_moments({values, ones}, positives), 1, 0.95);
+  };
+  const PairedComparison c = only(pairs_of(score, a, b), "score");
+  const Interval expected =
+      difference_interval(mean(b), hurdle(b), mean(a), hurdle(a), correlation(a, b));
+  EXPECT_NEAR(c.interval->low, expected.low, 1e-12);
+  EXPECT_NEAR(c.interval->high, expected.high, 1e-12);
 }
 
 TEST(PairedComparison, EqualMeansOfDifferentRepetitionsAreNotIdentical) {

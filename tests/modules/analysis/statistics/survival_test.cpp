@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/survival.h>
+#include <slalom/core/random.h>
 
 #include <gtest/gtest.h>
 

@@ -68,9 +68,12 @@ TEST(QuantityRange, NoPrintedIntervalLeavesIt) {
         const ResultTable table = random_table(engine, info, scenarios);
         std::vector<std::size_t> runs(table.size());
         for (std::size_t run = 0; run < runs.size(); ++run) runs[run] = run;
-        const Cell cell = make_cell(table, runs, table.metrics[0], {}, info.id);
+        const Cell cell = make_cell(table, runs, table.metrics[0], {});
         const Column column{info};
-        const auto [low, high] = printed_numbers(interval_text(cell, digits_for({&cell}, column)));
+        const std::string text = interval_text(cell, digits_for({&cell}, column));
+        EXPECT_EQ(text.empty(), states_median(info) && scenarios < 6) << info.id;
+        if (text.empty()) continue;
+        const auto [low, high] = printed_numbers(text);
         EXPECT_TRUE(info.range.contains(low)) << info.id << " " << low;
         EXPECT_TRUE(info.range.contains(high)) << info.id << " " << high;
         EXPECT_LE(low, high) << info.id;
@@ -112,7 +115,7 @@ TEST(QuantityRange, EachQuantityOfZeroAndOneIsARate) {
     std::vector<std::size_t> of_a;
     for (std::size_t run = 0; run < table.size(); ++run)
       if (table.method[run] == 0) of_a.push_back(run);
-    const Cell cell = make_cell(table, of_a, table.metrics[0], {}, id);
+    const Cell cell = make_cell(table, of_a, table.metrics[0], {});
     EXPECT_NEAR(cell.interval->low, 0.0224, 5e-5) << id;
     EXPECT_NEAR(cell.interval->high, 0.4709, 5e-5) << id;
     const PairedComparison comparison = compare_methods(table, {id}, "", {}).at(0);
@@ -121,7 +124,7 @@ TEST(QuantityRange, EachQuantityOfZeroAndOneIsARate) {
   }
 }
 
-TEST(QuantityRange, TwoRunsNearTheOptimumHaveAnIntervalUpToOne) {
+TEST(QuantityRange, TwoRunsNearTheOptimumHaveAnIntervalBelowOne) {
   RowSums sums(1);
   std::vector<double> value(RowSums::padded(1));
   for (const std::uint32_t scenario : {0U, 1U}) {
@@ -129,10 +132,11 @@ TEST(QuantityRange, TwoRunsNearTheOptimumHaveAnIntervalUpToOne) {
     sums.add(value.data(), scenario);
   }
   sums.end_part([](std::uint32_t scenario) { return scenario; });
-  const Cell cell = make_cell(sums.cell(0), 2, 0, {metric("optimality").info}, {}, "cell");
-  // t of one degree of freedom at 97.5 % is 12.7062, the standard error 0.01.
-  EXPECT_NEAR(cell.interval->low, 0.95 - 0.127062, 1e-6);
-  EXPECT_EQ(cell.interval->high, 1);
+  const Cell cell = make_cell(sums.cell(0), 2, 0, {metric("optimality").info}, {});
+  EXPECT_LT(cell.interval->low, 0.94);
+  EXPECT_GE(cell.interval->low, 0);
+  EXPECT_GT(cell.interval->high, 0.96);
+  EXPECT_LE(cell.interval->high, 1);
 }
 
 }  // namespace

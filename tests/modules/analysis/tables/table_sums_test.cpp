@@ -157,7 +157,7 @@ TEST(TableSums, PartsHaveTheTablesOfTheWhole) {
   const auto specs = parse_bin_specs("density:0,0.3,0.8;density:q3;all");
   AnalysisOptions options;
   options.run_ids = options.medians = false;
-  for (const int scenarios : {12, 200, 1800}) {  // t, bootstrap, and more than it takes
+  for (const int scenarios : {12, 200, 1800}) {  // also more than kMaxKeptScenarios
     const Divided results = random_results(scenarios);
     std::vector<BinnedRows> rows;
     for (const BinSpec& spec : specs) rows.push_back(bin_rows(spec, results.whole));

@@ -38,7 +38,7 @@ TEST(CellText, ShowsSampleSizeAndDeviation) {
   cell.deviation = 0.051;
   cell.interval = Interval{0.7, 0.8};
   EXPECT_EQ(estimate_text(cell, 2) + " " + interval_text(cell, 2), "0.75 [0.70, 0.80]");
-  EXPECT_EQ(support_text(cell, {}, 2), "±0.05 n=56 NA=4");
+  EXPECT_EQ(support_text(cell, {}, 2), "±0.05 n = 56 of 60");
   EXPECT_EQ(support_text(cell, {success_info()}, 2), "42/56 NA=4");
   EXPECT_EQ(estimate_text({}, 2), "-");
   EXPECT_EQ(interval_text({}, 2), "");

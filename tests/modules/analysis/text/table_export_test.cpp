@@ -2,6 +2,7 @@
 #include "result_fixture.h"
 
 #include <slalom/analysis/table_export.h>
+#include <slalom/core/text.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,10 +20,19 @@ std::vector<CrossTable> tables(const std::string& method) {
 }
 
 TEST(TableExport, WritesOneCsvLinePerCell) {
-  EXPECT_EQ(render_csv(tables("nd")),
+  // Gaffke's interval of a single value: the weight of the bound is uniform, 0.5 -+ 0.4875.
+  const std::string csv = render_csv(tables("nd"));
+  const std::size_t begin = csv.find("0.5,,") + 5, end = csv.find(",0.95", begin);
+  double low = 0, high = 0;
+  const std::string ends = csv.substr(begin, end - begin);
+  ASSERT_TRUE(parse_number(ends.substr(0, ends.find(',')), low));
+  ASSERT_TRUE(parse_number(ends.substr(ends.find(',') + 1), high));
+  EXPECT_NEAR(low, 0.0125, 1e-3);
+  EXPECT_NEAR(high, 0.9875, 1e-3);
+  EXPECT_EQ(csv.substr(0, begin) + "LOW,HIGH" + csv.substr(end),
             "method,row_descriptor,bin_low,bin_high,metric,version,runs,n,na,mean,deviation,"
             "low,high,confidence,na_reasons\n"
-            "nd,density,0,0.1,optimality,2,2,1,1,0.5,,,,0.95,collision=1\n"
+            "nd,density,0,0.1,optimality,2,2,1,1,0.5,,LOW,HIGH,0.95,collision=1\n"
             "nd,density,0,0.1,path_length,1,2,2,0,10,0,,,0.95,\n");
 }
 
@@ -48,8 +58,10 @@ TEST(TableExport, JsonContainsTheRuns) {
   EXPECT_EQ(row.at("runs").size(), 2u);
   EXPECT_EQ(row.at("cells").at(0).at("n"), 1);  // values: the other run has none
   EXPECT_EQ(row.at("cells").at(0).at("na").at("collision"), 1);
-  EXPECT_TRUE(row.at("cells").at(0).at("interval").is_null());
+  EXPECT_TRUE(row.at("cells").at(0).at("interval").is_array());
   EXPECT_EQ(row.at("cells").at(1).at("mean"), 10);
+  EXPECT_TRUE(row.at("cells").at(1).at("interval").is_null());
+  EXPECT_EQ(row.at("cells").at(1).at("interval_na"), "no bounds");
 }
 
 TEST(TableExport, JsonAcceptsNamesThatAreNotUtf8) {

@@ -33,7 +33,7 @@ TEST(TableLatex, HasOneRowPerBinAndOneFieldPerColumn) {
   EXPECT_EQ(count(text, "\\\\\n"), 3u) << text;    // header and two bins
   EXPECT_EQ(count(text, " & "), 3u * 3u) << text;  // bin, runs, two metrics
   EXPECT_NE(text.find("follow\\_gap by density"), std::string::npos) << text;
-  EXPECT_NE(text.find("NA=1"), std::string::npos) << text;
+  EXPECT_NE(text.find("n = 1 of 2"), std::string::npos) << text;
   EXPECT_NE(text.find("95\\,\\%"), std::string::npos) << text;
 }
 

@@ -21,14 +21,15 @@ ResultTable small_table() {
 TEST(TableText, ShowsEveryCellWithItsSampleSize) {
   const auto tables = build_cross_tables(small_table(), parse_bin_specs("density:0,0.2"),
                                          {"success", "optimality", "path_length"}, {});
-  // Wilson of 3/4: [0.301, 0.954]; t interval of 0.9, 0.8, 0.7: 0.8 -+ 0.248, at most 1.
+  // Wilson of 3/4: [0.301, 0.954]; of 0.9, 0.8, 0.7 Gaffke's interval in [0, 1].
   EXPECT_EQ(render_cross_table_text(tables[0]),
             "nd by density, 95 % intervals\n\n"
             "density   success ↑          optimality ↑          path_length ↓ m\n"
-            "────────  ─────────────────  ────────────────────  ─────────────────\n"
-            "[0, 0.2]  0.75 [0.30, 0.95]  0.800 [0.552, 1.000]  10.0 [10.0, 10.0]\n"
-            "4 runs    3/4                ±0.100 n=3 NA=1       ±0.0 n=4\n"
-            "NA  optimality: 1 collision; more than 10 %: means not comparable\n");
+            "────────  ─────────────────  ────────────────────  ───────────────\n"
+            "[0, 0.2]  0.75 [0.30, 0.95]  0.800 [0.231, 0.948]  10.0\n"
+            "4 runs    3/4                ±0.100 n = 3 of 4     ±0.0 n = 4\n"
+            "NA  optimality: 1 collision; more than 10 %: means not comparable\n"
+            "NA  interval of a mean of path_length: no bounds\n");
 }
 
 TEST(TableText, IsWrappedWithManyColumns) {

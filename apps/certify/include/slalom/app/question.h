@@ -75,7 +75,7 @@ void read_fields(Question& question, const nlohmann::json& json, const std::stri
 void require_probability(const std::string& option, double value);
 /// Throws Error (Usage) if a rate cannot be shown with that many runs (an option and its value).
 void require_runs(double rate, double confidence, const std::string& option, std::size_t runs);
-/// "0.97 [0.83, 0.99]", with the interval of Wilson.
+/// "0.97 [0.83, 1.00]", with clopper_pearson_interval().
 std::string rate_text(std::size_t runs, std::size_t successes, double confidence = 0.95);
 /// A run that failed: its stream, number, outcome and, if it has one, its scenario in full.
 Json failure_json(const BlockRunner& runner, const RunStream& stream, std::size_t index,

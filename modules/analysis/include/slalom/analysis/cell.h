@@ -17,9 +17,9 @@ namespace slalom {
 /// Options of table computation. Results are deterministic in the options and the input.
 struct AnalysisOptions {
   double confidence = 0.95;  ///< of intervals, in (0, 1)
-  std::uint64_t seed = 1;    ///< of the bootstrap
+  std::uint64_t seed = 1;    ///< of resampled orders (rank_stability(), sim2real)
   bool run_ids = true;       ///< store the run ids of each row; expensive for millions of runs
-  bool medians = true;       ///< in cross tables: medians and interquartile means
+  bool medians = true;       ///< in tables: medians with intervals, and interquartile means
 };
 
 /// Throws Error (Usage) if the confidence is not in (0, 1).
@@ -41,8 +41,14 @@ struct Cell {
   std::optional<double> deviation;        ///< sample standard deviation
   std::optional<double> median;
   std::optional<double> interquartile_mean;
-  std::optional<Interval> interval;  ///< of the estimate
+  std::optional<Interval> interval;         ///< of the estimate
+  std::string interval_na;                  ///< why the estimate has none
+  std::optional<Interval> median_interval;  ///< see states_median()
 };
+
+/// Whether the median is what can be stated with an interval: values without bounds have no valid
+/// interval of their mean, whatever the sample (Bahadur and Savage 1956).
+bool states_median(const QuantityInfo& info);
 
 /// More than a tenth of the runs have no value: the mean describes the others only, such as the
 /// runs that succeeded, and is not comparable with that of a method with other missing runs.
@@ -59,18 +65,22 @@ void require_readable(const ResultTable& table, const std::string& where, const 
 /// Error (Usage) that there is no such metric, with the nearest name.
 Error unknown_metric(const std::string& id, const std::vector<std::string>& known);
 
-/// A cell from its sums, without median and interquartile mean. `rank_of`: see CellSums::groups().
+/// A cell from its sums, without median and interquartile mean. The interval of a rate is
+/// rate_interval(), of a score hurdle_interval(), of other bounded values gaffke_interval().
+/// `rank_of`: see CellSums::groups().
 Cell make_cell(const CellSums& sums, std::size_t runs, std::size_t failures, const Column& column,
-               const AnalysisOptions& options, const std::string& label,
+               const AnalysisOptions& options,
                const std::function<std::size_t(std::uint32_t)>& rank_of = nullptr);
 
 /// The values of those of the runs that have one.
 std::vector<double> numbers_of(const ValueColumn& values, const std::vector<std::size_t>& runs);
-void add_medians(Cell& cell, std::vector<double> values);  ///< both, if there are values
+/// Adds median, interquartile mean and, if it states_median(), the interval of the median over
+/// `runs` of the table; nothing if no run has a value.
+void add_medians(Cell& cell, const ResultTable& table, const std::vector<std::size_t>& runs,
+                 const ValueColumn& values, double confidence);
 
-/// Summarizes `values` over `runs` (indexes into `table`). `label` identifies the cell and seeds
-/// the bootstrap, so that a cell does not depend on which other cells are computed.
+/// Summarizes `values` over `runs` (indexes into `table`).
 Cell make_cell(const ResultTable& table, const std::vector<std::size_t>& runs,
-               const ValueColumn& values, const AnalysisOptions& options, const std::string& label);
+               const ValueColumn& values, const AnalysisOptions& options);
 
 }  // namespace slalom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/analysis/mean_interval.h>
 #include <slalom/analysis/statistics.h>
 
 #include <cmath>
@@ -51,7 +52,8 @@ class CellSums {
   double mean() const;                      ///< requires a value
   std::optional<double> deviation() const;  ///< sample standard deviation
   GroupMoments moments() const;             ///< the groups are the scenarios
-  /// Of at most kMaxForBootstrap scenarios, otherwise empty, in the order in which they were added
+  ScoreMoments score_moments() const;       ///< of the values of a score
+  /// Of at most kMaxKeptScenarios scenarios, otherwise empty, in the order in which they were added
   /// or of `rank_of` their keys.
   GroupSums groups(const std::function<std::size_t(std::uint32_t key)>& rank_of = nullptr) const;
 
@@ -65,11 +67,15 @@ class CellSums {
   std::size_t available_ = 0, scenarios_ = 0;
   PreciseSum sum_, squares_;                         ///< of values
   PreciseSum scenario_squares_, scenario_products_;  ///< of sums; of sums and numbers of runs
+  PreciseSum positive_products_;                     ///< of sums and numbers of positives
   double size_squares_ = 0;
+  double positives_ = 0, positive_scenarios_ = 0;     ///< values that are not 0
+  double positive_squares_ = 0, positive_sizes_ = 0;  ///< of their numbers, with those of runs
   std::vector<Group> groups_;
   std::map<std::string, std::size_t> na_;
 
-  double residuals(const PreciseSum& squares, const PreciseSum& products, double sizes) const;
+  double residuals(double mean, const PreciseSum& squares, const PreciseSum& products,
+                   double sizes) const;
 };
 
 /// The sums of the cells of a row: results of any number of runs are added one after the other,

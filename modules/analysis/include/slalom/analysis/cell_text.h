@@ -13,14 +13,17 @@ namespace slalom {
 int digits_for(const std::vector<const Cell*>& cells, const Column& column);
 int column_digits(const CrossTable& table, std::size_t column);
 
-/// "0.93", or "-" if there is none.
+/// "0.93", or "-" if there is none; "median 12.3" if it has an interval, and the mean none.
 std::string estimate_text(const Cell& cell, int digits);
-/// "[0.88, 0.96]", or "".
+/// The interval of estimate_text(): "[0.88, 0.96]", or "".
 std::string interval_text(const Cell& cell, int digits);
-/// Sample size and deviation of the estimate: "42/56" for a rate (successes of values), otherwise
-/// "±0.05 n=56" (n values); with " NA=4" if runs have no value.
+/// The interval of the median if there is one, otherwise of the mean.
+const std::optional<Interval>& stated_interval(const Cell& cell);
+/// Sample size and deviation of the estimate: "42/56" for a rate (successes of values), with "
+/// NA=4" if runs have no value, otherwise "±0.05 n = 56 of 60", after "mean 12.9 " if the estimate
+/// is a median.
 std::string support_text(const Cell& cell, const Column& column, int digits);
-/// "n=56 NA=4": the numbers of values of the estimate, and of runs without a value.
+/// "n = 56", or "n = 56 of 60" if only 56 of 60 runs have a value, on which the estimate depends.
 std::string values_text(const Cell& cell);
 
 /// "optimality: 4 collision, 2 timeout", or "" if no value is missing.

@@ -20,7 +20,7 @@ struct Gate {
 /// The quantity that must satisfy the limit.
 enum class GateOn {
   Estimate,  ///< the mean paired difference
-  Interval   ///< its entire confidence interval
+  Interval   ///< its entire confidence interval; of values without bounds that of their shift
 };
 constexpr auto enum_names(GateOn) {
   return std::array{"estimate", "interval"};

@@ -14,7 +14,7 @@ namespace slalom {
 
 /// The conclusion about the second side compared with the first.
 enum class Verdict {
-  Better,        ///< significant by the corrected test and the interval
+  Better,        ///< significant by the corrected test and the deciding_interval()
   Worse,         ///< likewise
   Different,     ///< likewise, for a metric without direction
   NoDifference,  ///< not significant, with sufficient power for a relevant difference
@@ -55,9 +55,12 @@ struct PairedComparison {
   std::size_t without_value = 0;  ///< pairs of runs with a missing value
   std::size_t unpaired = 0;       ///< runs of either side without a partner
   std::optional<double> mean_a, mean_b, difference;  ///< over scenarios
-  std::optional<Interval> interval;                  ///< of the difference
-  std::size_t higher = 0, lower = 0, equal = 0;      ///< scenarios by the sign of the difference
-  bool identical = false;                            ///< all pairs of runs have equal values
+  std::optional<Interval> interval;  ///< of the difference; none of values without bounds
+  std::optional<double> ratio;       ///< of the geometric means, b / a, of positive values that
+                                     ///< states_median()
+  std::optional<Interval> ratio_interval;
+  std::size_t higher = 0, lower = 0, equal = 0;  ///< scenarios by the sign of the difference
+  bool identical = false;                        ///< all pairs of runs have equal values
 
   enum class Test {
     None,
@@ -75,7 +78,8 @@ struct PairedComparison {
   double adjusted_p = 1;              ///< by Holm, over the family of comparisons
   std::size_t family = 1;             ///< number of tests in it
   std::string baseline;               ///< all pairs of the family have it; empty: all pairs
-  std::optional<Shift> shift;         ///< Hodges-Lehmann, for metrics that are not rates
+  std::optional<Shift> shift;         ///< Hodges-Lehmann, of paired or of all differences b - a,
+                                      ///< for metrics that are not rates
   std::optional<double> superiority;  ///< Vargha-Delaney A12 of b over a, by scenario
 
   double confidence = 0.95, power = 0.8;
@@ -96,6 +100,16 @@ constexpr auto enum_names(PairedComparison::Test) {
                     "signed-rank test", "Fisher's exact test", "exact Mann-Whitney test",
                     "Mann-Whitney test"};
 }
+
+/// The interval on which a verdict depends, besides the test, and its value without a difference.
+struct DecidingInterval {
+  std::optional<Interval> interval;
+  double null = 0;
+};
+/// It is that of the mean difference for rates and scores, for other metrics of the ratio, or of
+/// the shift, which go with the tests by ranks: an interval of their mean is wide, as it holds for
+/// any distribution, or does not exist.
+DecidingInterval deciding_interval(const PairedComparison& comparison);
 
 /// Compares one pair; `adjusted_p` is `p` until `finish_families`. Throws Error (Usage) for unknown
 /// names.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <slalom/core/random.h>
 #include <slalom/core/range.h>
 
 #include <cstddef>
@@ -20,6 +19,9 @@ struct Interval {
 
 /// Values of runs grouped by scenario: runs of one scenario are not independent of each other.
 using ScenarioGroups = std::vector<std::vector<double>>;
+
+/// Cells keep the sums of their scenarios up to this number, for statistics of single scenarios.
+constexpr std::size_t kMaxKeptScenarios = 500;
 
 /// Sufficient statistics of such groups for means.
 struct GroupSums {
@@ -58,9 +60,16 @@ double mean_of_groups(const GroupSums& groups);  ///< over all values; requires 
 /// Sample standard deviation (n - 1); none for fewer than two values.
 std::optional<double> standard_deviation(const std::vector<double>& values);
 
+/// Pearson's correlation of two samples of equal size; 0 if one is constant.
+double correlation(const std::vector<double>& a, const std::vector<double>& b);
+
 /// Score interval of a rate `rate` observed in `n` trials (Wilson 1927). `n` need not be an
 /// integer: see effective_sample_size. Requires 0 <= rate <= 1, n > 0, 0 < confidence < 1.
 Interval wilson_interval(double rate, double n, double confidence);
+
+/// Exact interval of a rate (Clopper and Pearson 1934): it covers with at least the confidence at
+/// every rate. Neither number need be an integer. Requires 0 <= successes <= n, n > 0.
+Interval clopper_pearson_interval(double successes, double n, double confidence);
 
 /// Effective number of independent runs of the 0/1 values of `groups` (Kish's design effect, the
 /// ratio of the between-scenario variance of the rate to the binomial one). n if each scenario has
@@ -68,15 +77,19 @@ Interval wilson_interval(double rate, double n, double confidence);
 double effective_sample_size(const GroupMoments& groups);
 double effective_sample_size(const GroupSums& groups);
 
-/// Interval of the rate of the 0/1 values of `groups`: Wilson's for the effective sample size. If
-/// scenarios have several runs it is reduced by (t(n - 1) / t(k - 1))^2, the ratio of the quantiles
-/// of Student's t (Korn and Graubard 1998, Survey Methodology 24), since the variance between
-/// scenarios is itself estimated from k scenarios; at least k. Requires at least one value.
+/// The number of runs of rate_interval(): the effective sample size. If scenarios have several runs
+/// it is reduced by (t(n - 1) / t(k - 1))^2, the ratio of the quantiles of Student's t (Korn and
+/// Graubard 1998, Survey Methodology 24), since the variance between scenarios is itself estimated
+/// from k scenarios; at least k. Requires at least one value.
+double runs_of_rate(const GroupMoments& groups, double confidence);
+
+/// Interval of the rate of the 0/1 values of `groups`: Wilson's for that number of runs. It covers
+/// with the confidence on average over rates; near 0 and 1 also with less.
 Interval rate_interval(const GroupMoments& groups, double confidence);
 
 /// Student's t interval of the mean over all values with the cluster-robust standard error (k
 /// groups, k - 1 degrees of freedom; the usual interval if each group has one value). None for
-/// fewer than two groups.
+/// fewer than two groups, and for groups without variation, which show no error.
 std::optional<Interval> t_interval(const GroupMoments& groups, double confidence);
 std::optional<Interval> t_interval(const GroupSums& groups, double confidence);
 
@@ -84,27 +97,12 @@ std::optional<Interval> t_interval(const GroupSums& groups, double confidence);
 /// requires at least one estimate.
 Interval percentile_interval(std::vector<double> estimates, double confidence);
 
-/// Studentized bootstrap interval of the mean over all values (bootstrap-t, Efron and Tibshirani
-/// 1993, section 12.5): scenarios are resampled with all their runs, and the deviations of their
-/// means in cluster-robust standard errors take the place of Student's t. The standard error of a
-/// resample counts as at least a quarter of that of the sample. None for fewer than two groups.
-std::optional<Interval> bootstrap_interval(const GroupSums& groups, double confidence,
-                                           RandomEngine& engine, int resamples = 2000);
+/// Whether a value is in the range, apart from rounding errors.
+bool is_within(const Range& range, double value);
 
 /// The part of the interval of an estimate within the range of the quantity. An estimate outside
 /// the range, by more than rounding errors, is of another definition, of a foreign table: its
 /// interval is left as it is.
 Interval clip_to_range(const Range& range, double estimate, Interval interval);
-
-constexpr std::size_t kMinForBootstrap = 20, kMaxForBootstrap = 500;
-
-/// The interval used in tables: bootstrap for 20 to 500 scenarios, which also covers the mean of
-/// skewed values; the t interval for fewer, which do not show their distribution, and for more,
-/// where both agree and t is cheaper.
-std::optional<Interval> mean_interval(const GroupSums& groups, double confidence,
-                                      RandomEngine& engine);
-/// The same; `groups` may be empty if there are more than 500.
-std::optional<Interval> mean_interval(const GroupMoments& moments, const GroupSums& groups,
-                                      double confidence, RandomEngine& engine);
 
 }  // namespace slalom

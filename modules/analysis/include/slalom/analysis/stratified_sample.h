@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/analysis/statistics.h>
+#include <slalom/core/random.h>
 
 #include <cstddef>
 #include <vector>

@@ -88,8 +88,7 @@ class TableSums {
                  const std::vector<std::uint32_t>& order);
   void end_part(const ResultTable& part, const std::vector<Method*>& methods);
   std::vector<Column> columns() const;
-  std::vector<Cell> cells_of(const Row& row, const std::vector<std::string>& label,
-                             const AnalysisOptions& options) const;
+  std::vector<Cell> cells_of(const Row& row, const AnalysisOptions& options) const;
 };
 
 }  // namespace slalom

@@ -47,8 +47,8 @@ constexpr std::size_t kMinScenariosOfTrend = 20, kMinScenariosOfBin = 5;
 
 /// Tests rates with Cochran-Armitage and effective sample sizes. Otherwise uses Jonckheere-Terpstra
 /// over the means of the scenarios, and the linear contrast if a bin has more than
-/// kMaxForBootstrap. None with fewer than kMinScenariosOfTrend scenarios, or fewer than two bins of
-/// kMinScenariosOfBin.
+/// kMaxKeptScenarios. None with fewer than kMinScenariosOfTrend scenarios, or fewer than two bins
+/// of kMinScenariosOfBin.
 std::optional<Trend> find_trend(const std::vector<CellSums>& bins, bool rate);
 
 }  // namespace slalom

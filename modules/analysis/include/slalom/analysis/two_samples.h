@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/statistics.h>
 
 #include <cstddef>
@@ -27,8 +28,13 @@ struct RankSumTest {
 /// Requires a value on each side.
 RankSumTest rank_sum_test(const std::vector<double>& a, const std::vector<double>& b);
 
+/// The corresponding estimate: the Hodges-Lehmann median of all differences of a value of `a` and
+/// one of `b`, with Moses' interval by the normal approximation of the number of pairs (Hollander
+/// and Wolfe 1999, 4.3). Requires nonempty samples.
+Shift rank_sum_shift(const std::vector<double>& a, const std::vector<double>& b, double confidence);
+
 /// Welch's (1947) interval of mean(a) - mean(b) of independent samples with different variances.
-/// None for fewer than two values on a side.
+/// None for fewer than two values on a side, and if both are constant.
 std::optional<Interval> welch_interval(const std::vector<double>& a, const std::vector<double>& b,
                                        double confidence);
 

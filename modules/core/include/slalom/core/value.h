@@ -39,10 +39,11 @@ constexpr auto enum_names(Direction) {
 }
 
 /// Kind of the values of a quantity: 0 or 1, whose mean is a rate; numbers of things; lengths,
-/// times and the like; numbers without a unit.
-enum class QuantityKind { Rate, Count, Amount, Ratio };
+/// times and the like; numbers without a unit; numbers from 0 that are 0 in runs that failed, and
+/// only there.
+enum class QuantityKind { Rate, Count, Amount, Ratio, Score };
 constexpr auto enum_names(QuantityKind) {
-  return std::array{"rate", "count", "amount", "ratio"};
+  return std::array{"rate", "count", "amount", "ratio", "score"};
 }
 
 /// Describes a computed quantity (a scenario descriptor or a metric). The formula of an (id,
