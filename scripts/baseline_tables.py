@@ -5,7 +5,9 @@ variable: SLALOM_BIN, the folder of the programs."""
 import json
 import os
 import pathlib
+import random
 import re
+import statistics
 import subprocess
 import sys
 
@@ -60,6 +62,38 @@ def robustness(results, metrics):
     command += ["--values", ",".join(str(i) for i in range(len(results)))]
     found = json.loads(call(*command, "--metric", ",".join(metrics), "--json"))
     return {one["name"]: [dict(zip(one["columns"], row)) for row in one["rows"]] for one in found["tables"]}
+
+
+def successes(results):
+    """A list per scenario: whether each method succeeds in it, in the order of the names of the methods."""
+    scenarios = {}
+    for line in call(BIN / "slalom-analyze", "dump", results).splitlines():
+        run = json.loads(line)
+        scenarios.setdefault(run["scenario"]["hash"], {})[run["method"]] = run["outcome"] == "success"
+    return [[of[method] for method in sorted(of)] for of in scenarios.values()]
+
+
+def kendall_tau(a, b):
+    """Kendall's tau-b; 0 if all values of one side are equal."""
+    sign = lambda values, i, j: (values[i] > values[j]) - (values[i] < values[j])
+    pairs = [(sign(a, i, j), sign(b, i, j)) for i in range(len(a)) for j in range(i)]
+    untied = sum(x != 0 for x, _ in pairs) * sum(y != 0 for _, y in pairs)
+    return sum(x * y for x, y in pairs) / untied**0.5 if untied else 0
+
+
+def noise_ceiling(first, other, repetitions=1000):
+    """Kendall's tau of two campaigns with the same true order of the methods: its mean, and what it exceeds in 95 %.
+
+    The truth is that of the outcomes by scenario in two campaigns, the methods of the other one by rank as those of the
+    first. Both are drawn again, scenario by scenario, independently of each other."""
+    by_rank = []
+    for scenarios in (first, other):
+        order = sorted(range(len(scenarios[0])), key=lambda i: -sum(row[i] for row in scenarios))
+        by_rank.append([[row[i] for i in order] for row in scenarios])
+    draw = random.Random(1)
+    sums = lambda scenarios: [sum(column) for column in zip(*draw.choices(scenarios, k=len(scenarios)))]
+    taus = sorted(kendall_tau(sums(by_rank[0]), sums(by_rank[1])) for _ in range(repetitions))
+    return statistics.mean(taus), taus[repetitions // 20]
 
 
 def estimate(row, name, digits=2):

@@ -11,8 +11,8 @@ tables, as Markdown, are printed. Environment variable: JOBS, the number of work
 import csv
 import json
 
-from baseline_tables import BIN, call, estimate, folder_argument, method_arguments, print_table, robustness
-from baseline_tables import run_campaign, testbed_list
+from baseline_tables import BIN, call, estimate, folder_argument, method_arguments, noise_ceiling, print_table
+from baseline_tables import robustness, run_campaign, successes, testbed_list
 
 SMALL = "slalom-small"
 SETTINGS = {  # test bed, keys
@@ -57,6 +57,7 @@ def main():
     results = {}
     for name, (bed, keys) in SETTINGS.items():
         results[name] = run_campaign(folder, name.replace(" ", "_"), testbed_list(folder, bed), methods, keys)
+    rows_of = {name: successes(path) for name, path in results.items()}
     told = {name: conclusions(path) for name, path in results.items()}
     default = {pair: sign for pair, sign in told["default"].items() if sign}
     rows, turned = [], []
@@ -64,9 +65,10 @@ def main():
         signs = {pair: told[name].get(pair, 0) * sign for pair, sign in default.items()}
         kept, reversed_ = (sum(sign == wanted for sign in signs.values()) for wanted in (1, -1))
         tau = order_of(("default", results["default"]), (name, results[name]), folder)
-        rows.append([name, tau, str(kept), str(len(default) - kept - reversed_), str(reversed_)])
+        ceiling = "{:.2f}, {:.2f}".format(*noise_ceiling(rows_of["default"], rows_of[name]))
+        rows.append([name, tau, ceiling, str(kept), str(len(default) - kept - reversed_), str(reversed_)])
         turned += [(pair[::default[pair]], name) for pair, sign in signs.items() if sign < 0]
-    print_table(["setting", "Kendall's tau", "kept", "not told apart", "turned"], rows)
+    print_table(["setting", "Kendall's tau", "noise ceiling", "kept", "not told apart", "turned"], rows)
     everywhere = sum(all(told[name].get(pair, 0) == sign for name in SETTINGS) for pair, sign in default.items())
     print(f"{len(default)} of {len(told['default'])} pairs are told apart by default, {everywhere} under all settings.\n")
     print_table(["by default", "turned by"], ((f"{pair[1]} better than {pair[0]}", name) for pair, name in turned))

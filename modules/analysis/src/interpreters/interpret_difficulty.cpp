@@ -22,8 +22,12 @@ DataTable abilities_table(const DifficultyScale& scale, const std::string& only)
     rows.add("method", Field{method.method});
     rows.add("success", std::optional(method.success));
     rows.add("ability", method.ability, method.interval);
-    rows.add("infit", method.residuals ? std::optional(method.residuals->infit) : std::nullopt);
-    rows.add("outfit", method.residuals ? std::optional(method.residuals->outfit) : std::nullopt);
+    const auto& residuals = method.residuals;
+    rows.add("infit", residuals ? std::optional(residuals->infit) : std::nullopt);
+    rows.add("infit_expected", residuals ? std::optional(residuals->expected_infit) : std::nullopt);
+    rows.add("outfit", residuals ? std::optional(residuals->outfit) : std::nullopt);
+    rows.add("outfit_expected",
+             residuals ? std::optional(residuals->expected_outfit) : std::nullopt);
     rows.add("discrimination", method.discrimination);
   }
   return rows.table();
@@ -45,6 +49,19 @@ std::size_t negative_scenarios(const DifficultyScale& scale) {
       [](const ScenarioDifficulty& scenario) { return is_negative(scenario.discrimination); }));
 }
 
+/// Whether two groups of methods find different scenarios hard.
+bool are_groups_shown(const DifficultyScale& scale) {
+  return scale.dimensions && scale.dimensions->split_p <= test_level(scale.confidence);
+}
+
+/// "a, c against b, d"; requires a test of the dimensions.
+std::string groups_text(const DifficultyScale& scale) {
+  std::vector<std::string> groups[2];
+  for (std::size_t i = 0; i < scale.compared.size(); ++i)
+    groups[scale.dimensions->second_group[i] ? 1 : 0].push_back(scale.compared[i]);
+  return join(groups[0], ", ") + " against " + join(groups[1], ", ");
+}
+
 DataTable fit_table(const DifficultyScale& scale) {
   RowTable rows("fit", "Fit of the model");
   rows.begin_row();
@@ -54,10 +71,16 @@ DataTable fit_table(const DifficultyScale& scale) {
   rows.add("solved_by_none", solved_by(scale, 0));
   rows.add("solved_by_all", solved_by(scale, scale.by_solvers.size() - 1));
   rows.add("negative_scenarios", negative_scenarios(scale));
+  const auto& dimensions = scale.dimensions;
+  rows.add("eigenvalue", dimensions ? std::optional(dimensions->eigenvalue) : std::nullopt);
+  rows.add("eigenvalue_p", dimensions ? std::optional(dimensions->eigenvalue_p) : std::nullopt);
+  rows.add("split", dimensions ? std::optional(dimensions->split) : std::nullopt);
+  rows.add("split_p", dimensions ? std::optional(dimensions->split_p) : std::nullopt);
+  rows.add("groups", are_groups_shown(scale) ? Field{groups_text(scale)} : Field{});
   const auto& test = scale.andersen;
   rows.add("andersen", test ? std::optional(test->statistic) : std::nullopt);
-  rows.add("degrees", test ? Field{static_cast<std::int64_t>(test->degrees)} : Field{});
-  rows.add("p", test ? std::optional(test->p) : std::nullopt);
+  rows.add("andersen_degrees", test ? Field{static_cast<std::int64_t>(test->degrees)} : Field{});
+  rows.add("andersen_p", test ? std::optional(test->p) : std::nullopt);
   return rows.table();
 }
 
@@ -112,14 +135,41 @@ DataTable scenario_difficulty_table(const DifficultyScale& scale, const ResultTa
   return rows.table();
 }
 
-std::string dimension_text(const DifficultyScale& scale) {
-  if (!scale.andersen) return "one dimension of difficulty cannot be tested with these runs";
-  const std::string test = " (Andersen, " + count_text(scale.andersen->methods.size(), "method") +
-                           ", " + p_text(scale.andersen->p) + ")";
-  if (scale.andersen->p > test_level(scale.confidence))
-    return "one dimension of difficulty is not refuted" + test;
-  return "one dimension of difficulty is refuted" + test +
-         ": methods differ in what is hard for them; read the scale as a description";
+std::string scale_text(const DifficultyScale& scale) {
+  if (!scale.dimensions) {
+    return "one dimension of difficulty is not tested: NA, that takes at least " +
+           std::to_string(kMinMethodsOfDimensionTest) + " methods with an ability";
+  }
+  const std::string p = " (" + p_text(scale.dimensions->eigenvalue_p) + ")";
+  if (scale.dimensions->eigenvalue_p > test_level(scale.confidence)) {
+    return "one scale is not refuted by a test that compares how often methods solve the same "
+           "scenarios with what the scale says" +
+           p;
+  }
+  return "one scale does not fit: some methods solve the same scenarios more often than the scale "
+         "says" +
+         p + "; read it as a description";
+}
+
+std::string groups_remark(const DifficultyScale& scale) {
+  const std::string p = " (" + p_text(scale.dimensions->split_p) + ")";
+  if (are_groups_shown(scale))
+    return "two groups of methods find different scenarios hard" + p + ": " + groups_text(scale);
+  return "one dimension of difficulty is not refuted by a test that looks for two groups of methods "
+         "that find different scenarios hard" +
+         p;
+}
+
+std::string andersen_text(const DifficultyScale& scale) {
+  if (!scale.andersen)
+    return "whether abilities differ between easy and hard scenarios cannot be tested with these "
+           "runs";
+  const std::string test = " between easy and hard scenarios (Andersen, " +
+                           count_text(scale.andersen->methods.size(), "method") + ", " +
+                           p_text(scale.andersen->p) + ")";
+  return (scale.andersen->p > test_level(scale.confidence) ? "abilities are not shown to differ"
+                                                           : "abilities differ") +
+         test;
 }
 
 /// "PREFIX: a, b" if any method is `chosen`.
@@ -142,7 +192,9 @@ void add_remarks(std::vector<std::string>& remarks, const DifficultyScale& scale
     remarks.push_back("left out: " + count_text(scale.left_out, "scenario") +
                       " in which not every method has a value");
   }
-  remarks.push_back(dimension_text(scale));
+  remarks.push_back(scale_text(scale));
+  if (scale.dimensions) remarks.push_back(groups_remark(scale));
+  remarks.push_back(andersen_text(scale));
   add_names(remarks, methods, "no finite ability, set aside",
             [](const MethodAbility& method) { return !method.ability; });
   add_names(remarks, methods, "less predictable than the scale says, outfit above 2",

@@ -69,6 +69,21 @@ double log_likelihood(const Margins& margins, const std::vector<double>& abiliti
   return sum;
 }
 
+/// [method][score]: the probability that the method is among so many that solve a scenario; `values`
+/// are the exponentials of the abilities.
+SquareMatrix solving_probabilities(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  const auto all = symmetric_functions(values, n, n);
+  SquareMatrix solves;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto others = symmetric_functions(values, i, n);
+    solves.emplace_back(n, 0.0);
+    for (std::size_t score = 1; score < n; ++score)
+      solves[i][score] = values[i] * others[score - 1] / all[score];
+  }
+  return solves;
+}
+
 /// First and second derivatives of the log-likelihood.
 struct Derivatives {
   std::vector<double> gradient;
@@ -79,16 +94,11 @@ Derivatives derivatives_at(const Margins& margins, const std::vector<double>& ab
   const std::size_t n = abilities.size();
   const std::vector<double> values = exponentials(abilities);
   const auto all = symmetric_functions(values, n, n);
+  const SquareMatrix solves = solving_probabilities(values);
   Derivatives result{margins.of_methods, SquareMatrix(n, std::vector<double>(n, 0.0))};
-  SquareMatrix solves;  // [method][score]: the probability given the score
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto others = symmetric_functions(values, i, n);
-    solves.emplace_back(n + 1, 0.0);
-    for (std::size_t score = 1; score < n; ++score) {
-      solves[i][score] = values[i] * others[score - 1] / all[score];
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t score = 1; score < n; ++score)
       result.gradient[i] -= margins.of_scores[score] * solves[i][score];
-    }
-  }
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       const auto others = symmetric_functions(values, i, j);
@@ -298,25 +308,37 @@ std::vector<double> difficulties_by_solvers(const std::vector<double>& abilities
 std::vector<RaschResiduals> rasch_residuals(const OutcomeMatrix& outcomes,
                                             const std::vector<double>& abilities) {
   const std::size_t methods = abilities.size();
-  std::vector<double> ease(methods, 0.0);
-  for (std::size_t score = 1; score < methods; ++score)
-    ease[score] = ease_of(abilities, score, false);
-  std::vector<double> standardized(methods, 0.0), squares(methods, 0.0), variances(methods, 0.0);
-  double scenarios = 0;
+  const Margins margins = margins_of(outcomes);
+  std::vector<std::vector<double>> wins(methods, std::vector<double>(methods, 0.0));
   for (const auto& row : outcomes) {
     if (!is_informative(row)) continue;
-    scenarios += 1;
+    for (std::size_t i = 0; i < methods; ++i) wins[i][solvers(row)] += row[i] ? 1 : 0;
+  }
+  const SquareMatrix solves = solving_probabilities(exponentials(abilities));
+  std::vector<RaschResiduals> residuals(methods, RaschResiduals{0, 0, 0, 0});
+  std::vector<double> variances(methods, 0.0);
+  double scenarios = 0;
+  for (std::size_t score = 1; score < methods; ++score) {
+    const double n = margins.of_scores[score], ease = ease_of(abilities, score, false);
+    scenarios += n;
     for (std::size_t i = 0; i < methods; ++i) {
-      const double p = 1 / (1 + math::exp(-abilities[i] - ease[solvers(row)]));
-      const double residual = (row[i] ? 1 : 0) - p;
-      standardized[i] += residual * residual / (p * (1 - p));
-      squares[i] += residual * residual;
-      variances[i] += p * (1 - p);
+      const double p = 1 / (1 + math::exp(-abilities[i] - ease)), variance = p * (1 - p);
+      const auto squares = [&](double solved) {
+        return solved * (1 - p) * (1 - p) + (n - solved) * p * p;
+      };
+      variances[i] += n * variance;
+      residuals[i].infit += squares(wins[i][score]);
+      residuals[i].outfit += squares(wins[i][score]) / variance;
+      residuals[i].expected_infit += squares(n * solves[i][score]);
+      residuals[i].expected_outfit += squares(n * solves[i][score]) / variance;
     }
   }
-  std::vector<RaschResiduals> residuals;
-  for (std::size_t i = 0; i < methods; ++i)
-    residuals.push_back({standardized[i] / scenarios, squares[i] / variances[i]});
+  for (std::size_t i = 0; i < methods; ++i) {
+    residuals[i].infit /= variances[i];
+    residuals[i].outfit /= scenarios;
+    residuals[i].expected_infit /= variances[i];
+    residuals[i].expected_outfit /= scenarios;
+  }
   return residuals;
 }
 

@@ -169,7 +169,33 @@ TEST(Difficulty, UsesDescriptorsWithAllValuesAndNamesTheOthers) {
   EXPECT_EQ(build_difficulty(fixture.table, "success", {}).geometry->descriptors.size(), 1U);
 }
 
-TEST(Difficulty, SaysInWordsWhetherOneDimensionIsRefuted) {
+TEST(Difficulty, SaysInWordsWhatTheTestsOfOneScaleFind) {
+  // Half of the scenarios are hard for a and c only, the others for b and d only.
+  ResultFixture groups;
+  for (int i = 0; i < 30; ++i)
+    for (const char* outcomes : {"1010", "0101", "1011", "0111", "0010", "0100"})
+      add_outcomes(groups, outcomes);
+  const Interpretation found = interpreted(groups.table);
+  EXPECT_TRUE(has_remark(found,
+                         "two groups of methods find different scenarios hard (p = 0.0020): a, c "
+                         "against b, d"));
+  EXPECT_TRUE(has_remark(found, "one scale does not fit"));
+  const Interpretation one = interpreted(dense(400).table);
+  EXPECT_TRUE(has_remark(one, "one scale is not refuted by a test that compares"));
+  EXPECT_TRUE(has_remark(one, "one dimension of difficulty is not refuted by a test that looks"));
+  EXPECT_TRUE(has_remark(one, "abilities are not shown to differ between easy and hard scenarios "
+                              "(Andersen, 4 methods, p = "));
+}
+
+TEST(Difficulty, SaysInWordsWhatCannotBeTested) {
+  const Interpretation found = interpreted(two_methods().table);
+  EXPECT_TRUE(has_remark(found, "one dimension of difficulty is not tested: NA, that takes at least "
+                                "4 methods with an ability"));
+  EXPECT_TRUE(has_remark(found, "whether abilities differ between easy and hard scenarios cannot be "
+                                "tested with these runs"));
+}
+
+TEST(Difficulty, SaysInWordsWhetherAbilitiesDifferBetweenEasyAndHardScenarios) {
   // In easy scenarios, solved by three of four, a fails least; in hard ones, solved by one, it wins
   // least: no common order.
   ResultFixture fixture;
@@ -179,12 +205,24 @@ TEST(Difficulty, SaysInWordsWhetherOneDimensionIsRefuted) {
     if (i % 10 == 0)
       for (const char* outcomes : {"0111", "1000"}) add_outcomes(fixture, outcomes);
   }
-  EXPECT_TRUE(
-      has_remark(interpreted(fixture.table),
-                 "one dimension of difficulty is refuted (Andersen, 4 methods, p < 0.0001)"));
-  EXPECT_TRUE(
-      has_remark(interpreted(dense(400).table), "is not refuted (Andersen, 4 methods, p = "));
-  EXPECT_TRUE(has_remark(interpreted(two_methods().table), "cannot be tested with these runs"));
+  EXPECT_TRUE(has_remark(
+      interpreted(fixture.table),
+      "abilities differ between easy and hard scenarios (Andersen, 4 methods, p < 0.0001)"));
+}
+
+TEST(Difficulty, ShowsTheExpectationsOfTheResiduals) {
+  const DataTable abilities = interpreted(dense(400).table).tables[0];
+  EXPECT_EQ(abilities.columns,
+            (std::vector<std::string>{"method", "success", "ability", "ability.low", "ability.high",
+                                      "infit", "infit_expected", "outfit", "outfit_expected",
+                                      "discrimination"}));
+  for (std::size_t row = 0; row < 4; ++row) {
+    // Made by the model: closer to the expectation, below 0.9, than to 1.
+    const double infit = std::get<double>(abilities.at(row, 5));
+    const double expected = std::get<double>(abilities.at(row, 6));
+    EXPECT_LT(expected, 0.95);
+    EXPECT_NEAR(infit, expected, 0.1);
+  }
 }
 
 TEST(Difficulty, HasTheSameTablesInAllFormats) {

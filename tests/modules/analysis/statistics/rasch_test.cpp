@@ -136,6 +136,74 @@ RC_GTEST_PROP(Rasch, ConditionalProbabilitiesDoNotDependOnTheDifficulty, ()) {
   }
 }
 
+/// Outcomes of methods in scenarios with normal difficulties of this deviation.
+OutcomeMatrix drawn(const std::vector<double>& abilities, int scenarios, double deviation,
+                    RandomEngine& engine) {
+  OutcomeMatrix outcomes;
+  for (int i = 0; i < scenarios; ++i) {
+    const double difficulty = normal(engine, 0, deviation);
+    outcomes.emplace_back();
+    for (const double ability : abilities)
+      outcomes.back().push_back(uniform_real(engine, 0, 1) <
+                                1 / (1 + std::exp(difficulty - ability)));
+  }
+  return outcomes;
+}
+
+TEST(Rasch, ExpectsTheResidualsThatTheModelHasOnAverage) {
+  // The abilities are estimated in each campaign, and the expectation is that of the estimates.
+  const std::vector<double> abilities = {3.03, 2.31, 1.45, 1.45, -3.51, -4.72};
+  RandomEngine engine(8);
+  constexpr int kCampaigns = 400;
+  std::vector<RaschResiduals> sums(6, RaschResiduals{0, 0, 0, 0});
+  for (int i = 0; i < kCampaigns; ++i) {
+    OutcomeMatrix outcomes = drawn(abilities, 300, 3, engine);
+    while (comparable_methods(outcomes).size() < 6) outcomes = drawn(abilities, 300, 3, engine);
+    const auto residuals = rasch_residuals(outcomes, fit_rasch(outcomes).abilities);
+    for (std::size_t j = 0; j < 6; ++j) {
+      sums[j].infit += residuals[j].infit / kCampaigns;
+      sums[j].outfit += residuals[j].outfit / kCampaigns;
+      sums[j].expected_infit += residuals[j].expected_infit / kCampaigns;
+      sums[j].expected_outfit += residuals[j].expected_outfit / kCampaigns;
+    }
+  }
+  for (std::size_t j = 0; j < 6; ++j) {
+    EXPECT_NEAR(sums[j].infit, sums[j].expected_infit, 0.01) << j;
+    EXPECT_NEAR(sums[j].outfit, sums[j].expected_outfit, 0.05) << j;
+    EXPECT_LT(sums[j].expected_infit, 0.9) << "not 1: " << j;
+  }
+}
+
+TEST(Rasch, ExpectsTheResidualsOfAllOutcomesWithTheirProbabilities) {
+  // Two of three methods solve the scenario: three outcomes with the weights exp(sum of abilities).
+  const std::vector<double> abilities = {1, 0.5, -1.5};
+  const OutcomeMatrix all = {{true, true, false}, {true, false, true}, {false, true, true}};
+  const std::vector<double> weights = {std::exp(1.5), std::exp(-0.5), std::exp(-1.0)};
+  std::vector<double> infit(3, 0.0), outfit(3, 0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto residuals = rasch_residuals({all[k]}, abilities);
+    for (std::size_t i = 0; i < 3; ++i) {
+      infit[i] += residuals[i].infit * weights[k] / (weights[0] + weights[1] + weights[2]);
+      outfit[i] += residuals[i].outfit * weights[k] / (weights[0] + weights[1] + weights[2]);
+    }
+  }
+  const auto expected = rasch_residuals({all[0]}, abilities);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(expected[i].expected_infit, infit[i], 1e-9);
+    EXPECT_NEAR(expected[i].expected_outfit, outfit[i], 1e-9);
+  }
+}
+
+TEST(Rasch, ExpectsMeanSquaresNearOneOfManyMethods) {
+  std::vector<double> abilities;
+  for (int i = 0; i < 60; ++i) abilities.push_back(0.05 * i - 1.475);
+  RandomEngine engine(9);
+  for (const RaschResiduals& method : rasch_residuals(drawn(abilities, 50, 1, engine), abilities)) {
+    EXPECT_NEAR(method.expected_infit, 1, 0.02);
+    EXPECT_NEAR(method.expected_outfit, 1, 0.02);
+  }
+}
+
 TEST(Rasch, OfTwoMethodsIsTheLogarithmOfTheRatioOfDiscordantScenarios) {
   // 6 scenarios that only the first solves and 2 that only the second does: log(6 / 2) apart, with
   // the standard error sqrt(1/6 + 1/2) of the difference, half of it for each.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/analysis/cell.h>
+#include <slalom/analysis/dimension_test.h>
 #include <slalom/analysis/rasch.h>
 
 #include <cstddef>
@@ -58,6 +59,8 @@ struct DifficultyScale {
   std::size_t left_out = 0;                   ///< scenarios in which some method has none
   std::size_t informative = 0;                ///< solved by some of the methods, but not by all
   std::vector<double> by_solvers;             ///< difficulty by the number of methods that solve it
+  std::vector<std::string> compared;  ///< methods with an ability, in the order of DimensionTest
+  std::optional<DimensionTest> dimensions;
   std::optional<AndersenTest> andersen;
   std::optional<GeometryFit> geometry;  ///< none without descriptors, or with few scenarios
 };

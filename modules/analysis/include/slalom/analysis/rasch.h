@@ -41,12 +41,13 @@ RaschFit fit_rasch(const OutcomeMatrix& outcomes);
 double conditional_log_likelihood(const OutcomeMatrix& outcomes,
                                   const std::vector<double>& abilities);
 
-/// Andersen's (1973) likelihood ratio test of the model: whether the abilities are the same in easy
-/// scenarios, which more than the median number of methods solve, and in the others.
+/// Andersen's (1973) likelihood ratio test of whether the abilities are the same in easy scenarios,
+/// which more than the median number of methods solve, and in the others. It hardly detects groups
+/// of methods with different dimensions of difficulty: DimensionTest.
 struct AndersenTest {
   double statistic = 0;
   std::size_t degrees = 0;           ///< of freedom of the chi-squared distribution
-  double p = 1;                      ///< small: one dimension of difficulty is refuted
+  double p = 1;                      ///< small: the abilities differ
   std::vector<std::size_t> methods;  ///< those that are comparable in both groups
 };
 
@@ -58,10 +59,14 @@ std::optional<AndersenTest> andersen_test(const OutcomeMatrix& outcomes);
 std::vector<double> difficulties_by_solvers(const std::vector<double>& abilities);
 
 /// Mean squares of the residuals of a method over the informative scenarios (Wright and Masters
-/// 1982); 1 is expected. Above it, the method's outcomes are less predictable than the model says.
+/// 1982). Above their expectations, the method's outcomes are less predictable than the model says.
 struct RaschResiduals {
   double outfit = 1;  ///< of standardized residuals: sensitive to single surprising scenarios
   double infit = 1;   ///< weighted by the information
+  /// Expectations under the model with these abilities, given how many methods solve each
+  /// scenario: exact, without the difficulties. They tend to 1 with the number of methods and are
+  /// below it for few, since the same outcomes determine the difficulties.
+  double expected_outfit = 1, expected_infit = 1;
 };
 
 /// Returns those of each method, with the difficulties of maximum likelihood. Requires an
