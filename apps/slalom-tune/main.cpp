@@ -31,7 +31,7 @@ Ids sealed_scenarios(const Json& certificate) {
   return certificate.at("answer").at("sealed_scenarios").get<Ids>();
 }
 
-/// What searches in folders beside this one have used of its sealed scenarios.
+/// The use of its sealed scenarios by searches in folders beside this one.
 struct EarlierUse {
   std::size_t searches = 0;
   Ids scenarios = {};

@@ -2,7 +2,7 @@
 #include "map_readers.h"
 
 #include <slalom/core/error.h>
-#include <slalom/core/printable.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
-#include <slalom/core/printable.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/read_file.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <slalom/core/printable.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/text.h>
 #include <slalom/results/result_table.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/geometry.h>
 #include <slalom/core/hash.h>
-#include <slalom/core/printable.h>
 #include <slalom/scenario/grid_map.h>
 #include <slalom/scenario/scenario.h>
 

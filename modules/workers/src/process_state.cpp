@@ -98,7 +98,7 @@ __rlimit_resource_t resource(std::size_t i) {
   return static_cast<__rlimit_resource_t>(i);
 }
 
-/// By the number of the resource.
+/// Names by the number of the resource.
 constexpr const char* kNamesOfLimits[] = {
     "CPU",     "FSIZE", "DATA",  "STACK",      "CORE",     "RSS",  "NPROC",  "NOFILE",
     "MEMLOCK", "AS",    "LOCKS", "SIGPENDING", "MSGQUEUE", "NICE", "RTPRIO", "RTTIME"};

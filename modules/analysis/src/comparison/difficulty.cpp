@@ -215,7 +215,8 @@ DifficultyScale build_difficulty(const ResultTable& table, const std::string& me
   scale.informative = fit.informative;
   scale.by_solvers = difficulties_by_solvers(fit.abilities);
   for (const std::size_t method : comparable) scale.compared.push_back(table.methods[method]);
-  scale.dimensions = dimension_test(compared, derive_seed(options.seed, "dimensions of difficulty"));
+  scale.dimensions =
+      dimension_test(compared, derive_seed(options.seed, "dimensions of difficulty"));
   scale.andersen = andersen_test(compared);
   scale.scenarios = difficulties_of(complete, comparable, scale.by_solvers);
   scale.geometry = fit_geometry(table, scale.scenarios, options.seed);

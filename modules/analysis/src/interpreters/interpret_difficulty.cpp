@@ -155,7 +155,8 @@ std::string groups_remark(const DifficultyScale& scale) {
   const std::string p = " (" + p_text(scale.dimensions->split_p) + ")";
   if (are_groups_shown(scale))
     return "two groups of methods find different scenarios hard" + p + ": " + groups_text(scale);
-  return "one dimension of difficulty is not refuted by a test that looks for two groups of methods "
+  return "one dimension of difficulty is not refuted by a test that looks for two groups of "
+         "methods "
          "that find different scenarios hard" +
          p;
 }

@@ -69,7 +69,8 @@ Interpretation interpret_robustness(const std::vector<ResultTable>& results,
     throw usage_error("robustness", "no parameter", "--parameter SECTION.KEY");
   }
   for (const ResultTable& result : results) selected_methods(result, query.method);
-  const RobustnessOptions options{query.comparison, query.values, query.comparison.despite_settings};
+  const RobustnessOptions options{query.comparison, query.values,
+                                  query.comparison.despite_settings};
   const RobustnessTable table =
       build_robustness(results, query.parameter, query.metrics, options, query.method);
   Interpretation found;

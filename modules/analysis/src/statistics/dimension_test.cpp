@@ -52,7 +52,8 @@ void trade(SolvedSet& a, SolvedSet& b, RandomEngine& engine) {
 void advance(std::vector<SolvedSet>& sets, RandomEngine& engine) {
   const int methods = static_cast<int>(sets.size());
   for (int i = 0; i < 2 * methods; ++i) {
-    const int first = uniform_int(engine, 0, methods - 1), step = uniform_int(engine, 1, methods - 1);
+    const int first = uniform_int(engine, 0, methods - 1),
+              step = uniform_int(engine, 1, methods - 1);
     trade(sets[first], sets[(first + step) % methods], engine);
   }
 }

@@ -69,8 +69,8 @@ double log_likelihood(const Margins& margins, const std::vector<double>& abiliti
   return sum;
 }
 
-/// [method][score]: the probability that the method is among so many that solve a scenario; `values`
-/// are the exponentials of the abilities.
+/// [method][score]: the probability that the method is among so many that solve a scenario;
+/// `values` are the exponentials of the abilities.
 SquareMatrix solving_probabilities(const std::vector<double>& values) {
   const std::size_t n = values.size();
   const auto all = symmetric_functions(values, n, n);

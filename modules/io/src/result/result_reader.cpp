@@ -6,6 +6,7 @@
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>

@@ -3,7 +3,7 @@
 #include "yaml_reader.h"
 
 #include <slalom/core/error.h>
-#include <slalom/core/printable.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/text.h>
 
 namespace slalom {

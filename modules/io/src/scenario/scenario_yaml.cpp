@@ -4,7 +4,7 @@
 #include "yaml_reader.h"
 
 #include <slalom/core/error.h>
-#include <slalom/core/printable.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>

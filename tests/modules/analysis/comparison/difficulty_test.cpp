@@ -183,16 +183,19 @@ TEST(Difficulty, SaysInWordsWhatTheTestsOfOneScaleFind) {
   const Interpretation one = interpreted(dense(400).table);
   EXPECT_TRUE(has_remark(one, "one scale is not refuted by a test that compares"));
   EXPECT_TRUE(has_remark(one, "one dimension of difficulty is not refuted by a test that looks"));
-  EXPECT_TRUE(has_remark(one, "abilities are not shown to differ between easy and hard scenarios "
-                              "(Andersen, 4 methods, p = "));
+  EXPECT_TRUE(has_remark(one,
+                         "abilities are not shown to differ between easy and hard scenarios "
+                         "(Andersen, 4 methods, p = "));
 }
 
 TEST(Difficulty, SaysInWordsWhatCannotBeTested) {
   const Interpretation found = interpreted(two_methods().table);
-  EXPECT_TRUE(has_remark(found, "one dimension of difficulty is not tested: NA, that takes at least "
-                                "4 methods with an ability"));
-  EXPECT_TRUE(has_remark(found, "whether abilities differ between easy and hard scenarios cannot be "
-                                "tested with these runs"));
+  EXPECT_TRUE(has_remark(found,
+                         "one dimension of difficulty is not tested: NA, that takes at least "
+                         "4 methods with an ability"));
+  EXPECT_TRUE(has_remark(found,
+                         "whether abilities differ between easy and hard scenarios cannot be "
+                         "tested with these runs"));
 }
 
 TEST(Difficulty, SaysInWordsWhetherAbilitiesDifferBetweenEasyAndHardScenarios) {

@@ -66,7 +66,8 @@ TEST(DimensionTest, RefutesOneOfTwentyCampaignsOfRaschsModel) {
 }
 
 TEST(DimensionTest, FindsGroupsWithIndependentDifficulties) {
-  // The abilities and the difficulties have the same deviation. Andersen's test refutes 0.1 to 0.25.
+  // The abilities and the difficulties have the same deviation. Andersen's test refutes 0.1 to
+  // 0.25.
   EXPECT_GE(refuted({5, 400, 1, 0}, 200).by_split, 0.69) << "0.75 and 2 standard errors";
   const Refuted found = refuted({8, 400, 1, 0}, 40);
   EXPECT_GE(found.by_split, 0.95);
@@ -114,8 +115,8 @@ class SameMargins {
   explicit SameMargins(const std::array<unsigned, kRows>& outcomes) : outcomes_(outcomes) {
     add_rows(0);
     for (std::size_t pair = 0; pair < 6; ++pair) standardize(pair);
-    observed_ = static_cast<std::size_t>(
-        std::find(matrices_.begin(), matrices_.end(), outcomes) - matrices_.begin());
+    observed_ = static_cast<std::size_t>(std::find(matrices_.begin(), matrices_.end(), outcomes) -
+                                         matrices_.begin());
   }
 
   std::size_t size() const { return matrices_.size(); }
@@ -154,8 +155,8 @@ class SameMargins {
     for (unsigned i = 0; i < 4; ++i) {
       int difference = 0;
       for (std::size_t row = 0; row < kRows; ++row)
-        difference += static_cast<int>(rows_[row] >> i & 1U) -
-                      static_cast<int>(outcomes_[row] >> i & 1U);
+        difference +=
+            static_cast<int>(rows_[row] >> i & 1U) - static_cast<int>(outcomes_[row] >> i & 1U);
       if (difference != 0) return false;
     }
     return true;
@@ -185,8 +186,8 @@ class SameMargins {
   }
 };
 
-/// What the effects of the methods leave of z has, with four methods, three values, one for each
-/// division into two pairs, and the largest one belongs to the groups.
+/// Statistic of two groups: what the effects of the methods leave of z has three values with four
+/// methods, one for each division into two pairs, and the largest one belongs to the groups.
 double split_of_four(const Pairs& z) {
   const std::array<std::array<std::size_t, 2>, 3> divisions = {{{0, 5}, {1, 4}, {2, 3}}};
   const auto groups = *std::max_element(
@@ -195,7 +196,7 @@ double split_of_four(const Pairs& z) {
   return std::min(z[groups[0]], z[groups[1]]);
 }
 
-/// By the power method, with a shift that makes all eigenvalues positive.
+/// Eigenvalue by the power method, with a shift that makes all eigenvalues positive.
 double eigenvalue_of_four(const Pairs& z) {
   double shift = 1;
   for (const double entry : z) shift += std::abs(entry);
@@ -249,7 +250,6 @@ TEST(DimensionTest, HasThePOfAllMatricesWithTheSameMargins) {
     EXPECT_LE(eigenvalue_p, all.p(eigenvalue_of_four, -0.1) + 0.015);
     EXPECT_GE(split_p, all.p(split_of_four, 0.1) - 0.015);
     EXPECT_LE(split_p, all.p(split_of_four, -0.1) + 0.015);
-    std::printf("%zu: %.3f %.3f-%.3f  %.3f %.3f-%.3f\n", all.size(), eigenvalue_p, all.p(eigenvalue_of_four, 0.1), all.p(eigenvalue_of_four, -0.1), split_p, all.p(split_of_four, 0.1), all.p(split_of_four, -0.1));
   }
 }
 

@@ -56,7 +56,7 @@ TEST(ListFile, AReplacedFileIsNotWritten) {
       throws_error(ErrorKind::Job, path, {"was removed"}, [&] { list.remove(rows[0].hash); }));
 }
 
-/// What programs read of a list, in three ways; or the kind of its error.
+/// Hashes that programs read of a list in three ways; none if it is refused.
 std::vector<std::string> read_in_three_ways(const std::string& path) {
   try {
     const ScenarioList list = ScenarioList::open(path);

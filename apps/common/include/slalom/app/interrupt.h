@@ -9,8 +9,8 @@
 
 namespace slalom {
 
-/// During its lifetime, SIGINT, SIGTERM and SIGHUP only set a flag, so that a campaign can stop and keep
-/// its state. In the main thread; an inner guard keeps the flag of the outer one.
+/// During its lifetime, SIGINT, SIGTERM and SIGHUP only set a flag, so that a campaign can stop and
+/// keep its state. In the main thread; an inner guard keeps the flag of the outer one.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -26,7 +26,8 @@ class InterruptGuard {
 };
 
 /// make_terminal_progress() for jobs that the same command continues. During its lifetime, SIGINT,
-/// SIGTERM and SIGHUP make its next advance() throw Interrupted, so that transactions and locks are ended.
+/// SIGTERM and SIGHUP make its next advance() throw Interrupted, so that transactions and locks are
+/// ended.
 std::unique_ptr<Progress> make_interruptible_progress(bool quiet);
 
 }  // namespace slalom

@@ -20,9 +20,9 @@ std::optional<std::string> campaign_setting(const Manifest& manifest, const std:
 std::vector<std::string> campaign_differences(const Manifest& a, const Manifest& b,
                                               const std::vector<std::string>& expected);
 
-/// Those of them that change what is asked of every method, or how it is measured: the robot, its
-/// sensors, the simulation, people, limits, references and metrics. Not the options of methods and
-/// the scenarios, which comparisons are about, and pair.
+/// Differences of them that change what is asked of every method, or how it is measured: the robot,
+/// its sensors, the simulation, people, limits, references and metrics. Not the options of methods
+/// and the scenarios, which comparisons are about, and pair.
 std::vector<std::string> task_differences(const Manifest& a, const Manifest& b);
 
 /// Sentences of campaign_differences() between successive results, "the campaigns differ:

@@ -41,8 +41,8 @@ RateEstimate betting_estimate(const std::vector<double>& values, double low, dou
 /// 2, also if the number of scenarios is increased later.
 ///
 /// Intervals are valid at the end, however early (betting_interval()). That of the difference
-/// reaches below 0 if and only if the configuration is not shown to be Better. The difference itself would be too large after
-/// an early stop; hence the minimum of 200 scenarios.
+/// reaches below 0 if and only if the configuration is not shown to be Better. The difference
+/// itself would be too large after an early stop; hence the minimum of 200 scenarios.
 class SealedClaim {
  public:
   /// Throws Error (Usage) for invalid options.

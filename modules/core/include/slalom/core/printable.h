@@ -15,13 +15,6 @@ std::string printable_line(const std::string& text);
 /// The position of the first byte that is not part of a UTF-8 character; none if there is none.
 std::optional<std::size_t> find_invalid_utf8(const std::string& text);
 
-/// Throws Error (File) at `where` and the line of the first byte that is not UTF-8.
-void expect_utf8(const std::string& text, const std::string& where, const std::string& expected);
-
-/// Throws Error (File) for a name that is longer than 1,000 bytes or not UTF-8: names of methods,
-/// scenarios and columns come from files of others, and go to tables, pages and messages.
-void expect_name(const std::string& name, const std::string& of_what);
-
 /// Whether a file with this content is a text file, in any superset of ASCII: no byte is a control
 /// character other than tab, line break and form feed.
 bool is_text(const std::string& content);
