@@ -65,12 +65,12 @@ def robustness(results, metrics):
 
 
 def successes(results):
-    """A list per scenario: whether each method succeeds in it, in the order of the names of the methods."""
+    """By scenario: whether each method succeeds in it, in the order of the names of the methods."""
     scenarios = {}
     for line in call(BIN / "slalom-analyze", "dump", results).splitlines():
         run = json.loads(line)
         scenarios.setdefault(run["scenario"]["hash"], {})[run["method"]] = run["outcome"] == "success"
-    return [[of[method] for method in sorted(of)] for of in scenarios.values()]
+    return {scenario: [of[method] for method in sorted(of)] for scenario, of in scenarios.items()}
 
 
 def kendall_tau(a, b):
@@ -81,19 +81,28 @@ def kendall_tau(a, b):
     return sum(x * y for x, y in pairs) / untied**0.5 if untied else 0
 
 
+def by_rank(outcomes):
+    """The outcomes with the methods from the most successful one to the least."""
+    totals = [sum(column) for column in zip(*outcomes.values())]
+    order = sorted(range(len(totals)), key=lambda i: -totals[i])
+    return {scenario: [row[i] for i in order] for scenario, row in outcomes.items()}
+
+
 def noise_ceiling(first, other, repetitions=1000):
     """Kendall's tau of two campaigns with the same true order of the methods: its mean, and what it exceeds in 95 %.
 
-    The truth is that of the outcomes by scenario in two campaigns, the methods of the other one by rank as those of the
-    first. Both are drawn again, scenario by scenario, independently of each other."""
-    by_rank = []
-    for scenarios in (first, other):
-        order = sorted(range(len(scenarios[0])), key=lambda i: -sum(row[i] for row in scenarios))
-        by_rank.append([[row[i] for i in order] for row in scenarios])
+    The true rates are those of `first` and `other`, successes(), where the methods of equal rank count as the same one.
+    Scenarios are drawn from both, the same ones if both have the same."""
+    first, other = by_rank(first), by_rank(other)
     draw = random.Random(1)
-    sums = lambda scenarios: [sum(column) for column in zip(*draw.choices(scenarios, k=len(scenarios)))]
-    taus = sorted(kendall_tau(sums(by_rank[0]), sums(by_rank[1])) for _ in range(repetitions))
-    return statistics.mean(taus), taus[repetitions // 20]
+    taus = []
+    for _ in range(repetitions):
+        drawn = draw.choices(list(first), k=len(first))
+        drawn_other = drawn if first.keys() == other.keys() else draw.choices(list(other), k=len(other))
+        totals = [[sum(column) for column in zip(*(outcomes[scenario] for scenario in scenarios))]
+                  for outcomes, scenarios in ((first, drawn), (other, drawn_other))]
+        taus.append(kendall_tau(*totals))
+    return statistics.mean(taus), sorted(taus)[repetitions // 20]
 
 
 def estimate(row, name, digits=2):

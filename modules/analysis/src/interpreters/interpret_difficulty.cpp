@@ -8,6 +8,7 @@
 #include <slalom/core/text.h>
 
 #include <algorithm>
+#include <array>
 
 namespace slalom {
 namespace {
@@ -56,7 +57,7 @@ bool are_groups_shown(const DifficultyScale& scale) {
 
 /// "a, c against b, d"; requires a test of the dimensions.
 std::string groups_text(const DifficultyScale& scale) {
-  std::vector<std::string> groups[2];
+  std::array<std::vector<std::string>, 2> groups;
   for (std::size_t i = 0; i < scale.compared.size(); ++i)
     groups[scale.dimensions->second_group[i] ? 1 : 0].push_back(scale.compared[i]);
   return join(groups[0], ", ") + " against " + join(groups[1], ", ");
@@ -156,8 +157,7 @@ std::string groups_remark(const DifficultyScale& scale) {
   if (are_groups_shown(scale))
     return "two groups of methods find different scenarios hard" + p + ": " + groups_text(scale);
   return "one dimension of difficulty is not refuted by a test that looks for two groups of "
-         "methods "
-         "that find different scenarios hard" +
+         "methods that find different scenarios hard" +
          p;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cmath>
 
@@ -26,7 +27,8 @@ std::vector<SolvedSet> solved_sets(const OutcomeMatrix& outcomes) {
   return sets;
 }
 
-/// Deals the scenarios that one of two methods solves at random, to each as many as it had.
+/// Deals the scenarios that only one of the two methods solves at random, as many to each as
+/// before.
 void trade(SolvedSet& a, SolvedSet& b, RandomEngine& engine) {
   std::size_t wanted = 0, left = 0;  // by a; of both
   for (std::size_t word = 0; word < a.size(); ++word) {
@@ -116,7 +118,7 @@ Eigen::MatrixXd without_effects(const Eigen::MatrixXd& z) {
 }
 
 double min_within_groups(const Eigen::MatrixXd& z, const std::vector<bool>& second_group) {
-  double sums[2] = {0, 0}, pairs[2] = {0, 0};
+  std::array<double, 2> sums{}, pairs{};
   for (Eigen::Index i = 0; i < z.rows(); ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
       if (second_group[i] != second_group[j]) continue;

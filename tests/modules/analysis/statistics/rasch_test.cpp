@@ -154,17 +154,17 @@ TEST(Rasch, ExpectsTheResidualsThatTheModelHasOnAverage) {
   // The abilities are estimated in each campaign, and the expectation is that of the estimates.
   const std::vector<double> abilities = {3.03, 2.31, 1.45, 1.45, -3.51, -4.72};
   RandomEngine engine(8);
-  constexpr int kCampaigns = 400;
+  constexpr int kSimulated = 400;
   std::vector<RaschResiduals> sums(6, RaschResiduals{0, 0, 0, 0});
-  for (int i = 0; i < kCampaigns; ++i) {
+  for (int i = 0; i < kSimulated; ++i) {
     OutcomeMatrix outcomes = drawn(abilities, 300, 3, engine);
     while (comparable_methods(outcomes).size() < 6) outcomes = drawn(abilities, 300, 3, engine);
     const auto residuals = rasch_residuals(outcomes, fit_rasch(outcomes).abilities);
     for (std::size_t j = 0; j < 6; ++j) {
-      sums[j].infit += residuals[j].infit / kCampaigns;
-      sums[j].outfit += residuals[j].outfit / kCampaigns;
-      sums[j].expected_infit += residuals[j].expected_infit / kCampaigns;
-      sums[j].expected_outfit += residuals[j].expected_outfit / kCampaigns;
+      sums[j].infit += residuals[j].infit / kSimulated;
+      sums[j].outfit += residuals[j].outfit / kSimulated;
+      sums[j].expected_infit += residuals[j].expected_infit / kSimulated;
+      sums[j].expected_outfit += residuals[j].expected_outfit / kSimulated;
     }
   }
   for (std::size_t j = 0; j < 6; ++j) {
