@@ -10,6 +10,7 @@
 #include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/campaign_identity.h>
@@ -232,7 +233,8 @@ void compare_whole(const ResultFile& file, const CampaignConfig& config, const I
   report.total_runs = plan.present;
   report.total_scenarios = file.read_scenario_names().size();
   if (!plan.shard.empty()) return;
-  if (!plan.complete()) report.differences.push_back("the file " + plan.text());
+  if (!plan.complete())  // with names that only a forged file has
+    report.differences.push_back(printable_line("the file " + plan.text()));
   for (const std::string& line : statement_differences(file, config, ini))
     report.differences.push_back(line);
   if (!sample.scenarios) return;

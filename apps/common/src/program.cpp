@@ -121,7 +121,7 @@ void prepare_process() {
 /// Throws Error (Usage) for what would fail later with the name of something else.
 void expect_usable_system() {
   std::error_code missing;
-  std::filesystem::current_path(missing);
+  (void)std::filesystem::current_path(missing);
   if (missing) throw usage_error("the current folder", "does not exist", "a folder that exists");
 #if defined(__linux__)
   if (access("/proc/self/exe", F_OK) != 0)

@@ -35,7 +35,7 @@ TEST(Scenario, HasANameInUtf8) {
   for (const auto& make : {std::function<void()>([] { sample("caf\xe9"); }),
                            std::function<void()>([] { sample().renamed("caf\xe9"); })})
     EXPECT_TRUE(throws_error(ErrorKind::File,
-                             "scenario 'caf\\xe9': ", {"byte 4 of the name is not UTF-8"}, make));
+                             "name of a scenario 'caf\\xe9': ", {"byte 4 is not UTF-8"}, make));
 }
 
 TEST(Scenario, IsIdentifiedByItsContentNotItsName) {

@@ -57,11 +57,10 @@ std::string power_text(const PairedComparison& c) {
 }
 
 std::string more_text(const PairedComparison& c) {
-  // Near 0 a fixed share of the mean is far smaller than what the values vary by.
-  constexpr std::size_t kMost = 100;
-  if (c.required_scenarios > kMost * c.scenarios)
+  constexpr std::size_t kMost = 100000;  // near 0 a share of the mean is tiny
+  if (c.required_scenarios > kMost)
     return "; " + power_text(c) + " would require more than " + std::to_string(kMost) +
-           " times as many scenarios";
+           " scenarios";
   return "; about " + count_text(c.required_scenarios - c.scenarios, "more scenario") +
          (c.is_unpaired ? " of each" : "") + " required for " + power_text(c);
 }

@@ -62,7 +62,7 @@ class Canvas {
 
   /// Dashes and gaps continue around corners, as in SVG.
   void path(const Path& path, const LineStyle& style) {
-    const auto width = static_cast<unsigned>(round(style.width));
+    const auto width = static_cast<unsigned>(style.width);  // ends of wider lines fill the gaps
     const double period = style.dash + style.gap;
     double before = 0;  // pixels along the path
     for (std::size_t i = 1; i < path.size(); ++i) {

@@ -73,6 +73,13 @@ TEST(PairedComparison, EstimatesTheRequiredNumberOfScenarios) {
   EXPECT_NE(verdict_sentence(c).find(more), std::string::npos) << verdict_sentence(c);
 }
 
+TEST(PairedComparison, DoesNotAskForMoreScenariosThanAnybodyRuns) {
+  PairedComparison c = only(rates(10, 6, 1, 2), "success");
+  c.required_scenarios = 394500;  // 5 % of a mean near 0
+  EXPECT_NE(verdict_sentence(c).find("would require more than 100000 scenarios"), std::string::npos)
+      << verdict_sentence(c);
+}
+
 TEST(PairedComparison, ReportsNoDifferenceOnlyWithSufficientPower) {
   const PairedComparison same = only(shifted(60, 0, 0.01), "optimality");
   EXPECT_EQ(same.verdict, Verdict::NoDifference);
