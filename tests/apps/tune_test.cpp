@@ -81,6 +81,8 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
   EXPECT_EQ(tuned.status, 0) << tuned.err;
   const ProgramResult dump = run("slalom-analyze dump a.results");
   EXPECT_EQ(dump.out.find(R"("outcome":"stuck")"), std::string::npos);
+  EXPECT_EQ(run("slalom-scenarios generate -c out/tuned.ini -n 2 -o two.scenarios --quiet").status,
+            0);
   const ProgramResult verified = run("slalom-certify verify out/tuned.json --trust --quiet -j 3");
   EXPECT_EQ(verified.status, 0) << verified.err;
   EXPECT_NE(read("out/tuned.html").find("main effects"), std::string::npos);
