@@ -281,12 +281,14 @@ TEST_F(Bundles, AnInterruptedVerificationLeavesNothing) {
             0);
   // The signal comes when the folder for temporary files is used.
   const ProgramResult result =
-      run("{ mkdir t; TMPDIR=$PWD/t slalom-simulate verify b.slalom --fraction 0.5 --quiet >out "
-          "2>err & "
+      run("sh -c 'mkdir t; TMPDIR=$PWD/t slalom-simulate verify b.slalom --fraction 0.5 --quiet "
+          ">printed "
+          "2>said & "
           "until [ -n \"$(ls t 2>/dev/null)\" ] || ! kill -0 $! 2>/dev/null; do :; done; "
-          "kill -TERM $! 2>/dev/null; wait $!; echo $?; ls t; }");
-  EXPECT_EQ(result.out, "130\n") << read("err");
-  EXPECT_NE(read("err").find("interrupted: nothing was changed"), std::string::npos) << read("err");
+          "kill -TERM $! 2>/dev/null; wait $!; echo $?; ls t'");
+  EXPECT_EQ(result.out, "130\n") << read("said");
+  EXPECT_NE(read("said").find("interrupted: nothing was changed"), std::string::npos)
+      << read("said");
 }
 
 TEST_F(Bundles, MissingRunsAndScenariosAreFound) {

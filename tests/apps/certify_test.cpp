@@ -66,10 +66,10 @@ TEST_F(Certify, VerifyFindsAnswersThatAreNotThoseOfTheRuns) {
 
 TEST_F(Certify, VerifyRefusesWhatItCannotRead) {
   expect_failure("slalom-certify verify my.ini", 3, {"my.ini: ", "expected a certificate"});
-  write("short.json", R"({"format": 2, "kind": "limit", "question": {}})");
+  write("short.json", R"({"format": 3, "kind": "limit", "question": {}})");
   expect_failure("slalom-certify verify short.json", 3, {"short.json: ", "expected a certificate"});
-  write("newer.json", R"({"format": 3, "kind": "limit"})");
-  expect_failure("slalom-certify verify newer.json", 3, {"format 3 is unknown"});
+  write("newer.json", R"({"format": 4, "kind": "limit"})");
+  expect_failure("slalom-certify verify newer.json", 3, {"format 4 is unknown"});
   ASSERT_EQ(run(limit("-o a.json")).status, 0);
   Json foreign = certificate("a.json");
   foreign["campaign.ini"] =

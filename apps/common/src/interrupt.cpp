@@ -36,7 +36,9 @@ InterruptGuard::InterruptGuard() {
   action.sa_handler = raise_flag;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], &action, &old_[i]);
-    if (old_[i].sa_handler == SIG_IGN) sigaction(kSignals[i], &old_[i], nullptr);  // nohup
+    // Keeps what nohup asks for. Shells ignore SIGINT for background jobs, which must end, too.
+    if (kSignals[i] == SIGHUP && old_[i].sa_handler == SIG_IGN)
+      sigaction(SIGHUP, &old_[i], nullptr);
   }
 }
 

@@ -181,13 +181,16 @@ TEST_F(ReadBag, AFolderIsReadInTheOrderOfItsList) {
 
 TEST_F(ReadBag, AFolderIsRefusedWhoseListIsDamaged) {
   const std::string list = folder_ / "metadata.yaml";
-  for (const char* text : {"", "[", "rosbag2_bagfile_information: 3", "a: {b", "\xff\xfe",
+  for (const char* text : {"", "[", "rosbag2_bagfile_information: 3", "a: {b",
                            "rosbag2_bagfile_information: {relative_file_paths: [[a]]}"}) {
     write("metadata.yaml", text);
     EXPECT_TRUE(throws_error(ErrorKind::File, list, {"relative_file_paths"}, [&] {
       read_lines(folder_ / "");
     })) << text;
   }
+  write("metadata.yaml", "\xff\xfe");
+  EXPECT_TRUE(
+      throws_error(ErrorKind::File, list, {":1", "not UTF-8"}, [&] { read_lines(folder_ / ""); }));
   write("metadata.yaml",
         "rosbag2_bagfile_information: {relative_file_paths: [../../../etc/passwd]}");
   EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "passwd", {"cannot be read"},

@@ -231,7 +231,8 @@ class ListPanel : public Element {
   }
   void leave_filter() {
     if (document() != nullptr) document()->restore_filter();
-    rows_->requestFocus();
+    if (document() != nullptr) filter_->set_text(document()->filter_text());
+    rows_->requestFocus();  // applies the text
   }
   void clear_filter() {
     filter_->set_text("");
