@@ -42,6 +42,17 @@ std::string value_or_default(const std::map<std::string, std::string>& flat,
   return found == flat.end() ? "(default)" : found->second;
 }
 
+/// Whether a key is of a method that the campaign does not run.
+bool is_of_missing_method(const std::string& key, const std::map<std::string, std::string>& flat) {
+  constexpr char kMethod[] = "method.";
+  const auto methods = flat.find("campaign.methods");
+  if (!starts_with(key, kMethod) || methods == flat.end()) return false;
+  const std::vector<std::string> names = split(methods->second, ',');
+  return std::none_of(names.begin(), names.end(), [&](const std::string& name) {
+    return starts_with(key, kMethod + name + ".");
+  });
+}
+
 }  // namespace
 
 std::optional<std::string> campaign_setting(const Manifest& manifest, const std::string& key) {
@@ -60,6 +71,7 @@ std::vector<std::string> campaign_differences(const Manifest& a, const Manifest&
   std::vector<std::string> differences;
   for (const std::string& key : keys) {
     if (contains(expected, key) || (cannot_affect_runs(key) && key != "scenarios.hash")) continue;
+    if (is_of_missing_method(key, first) || is_of_missing_method(key, second)) continue;
     const std::string before = value_or_default(first, key), after = value_or_default(second, key);
     if (before != after) differences.push_back(key + ": " + before + ", " + after);
   }

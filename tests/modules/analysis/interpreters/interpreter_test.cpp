@@ -502,6 +502,11 @@ TEST(Interpreter, CampaignsWithOtherSettingsHaveNoVerdictUnlessItIsAskedFor) {
   query.comparison.despite_settings = false;
   EXPECT_FALSE(
       compare_results(all[1], other, {"optimality"}, query.comparison).front().other_settings);
+  const std::string section = "[method.only_here]\nalpha = 2\n";
+  const Manifest one = {{"campaign.ini", "[campaign]\nmethods = a\n" + section}};
+  const Manifest both = {{"campaign.ini", "[campaign]\nmethods = a, only_here\n" + section},
+                         {"method.only_here.plugin_hash", "abc"}};
+  EXPECT_EQ(campaign_differences(one, both, {}), std::vector<std::string>{});
   // A gate is a verdict.
   query.gates = {parse_gate("optimality >= -1")};
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--gate", {difference, "--despite-settings"},

@@ -15,8 +15,8 @@ namespace slalom {
 std::optional<std::string> campaign_setting(const Manifest& manifest, const std::string& key);
 
 /// Differences of two campaigns that may affect runs: keys of their .ini ("sensor.noise_sigma: 0,
-/// 0.1"), scenarios, versions and hashes of methods. Seed, names, [analysis] and [record] are
-/// ignored, as are the keys in `expected`.
+/// 0.1"), scenarios, versions and hashes of methods. Seed, names, [analysis], [record]
+/// and methods that only one of them has are ignored, as are the keys in `expected`.
 std::vector<std::string> campaign_differences(const Manifest& a, const Manifest& b,
                                               const std::vector<std::string>& expected);
 
