@@ -77,13 +77,14 @@ class Keeper {
     WorkerStart start;
     while (!is_ending_ || !workers_.empty()) {
       wait();
+      // A process whose limits a method lowered is replaced as one that a method killed. Already
+      // poll() fails where there may be fewer descriptors than it waits for.
+      if (!limits_.restore_lowered().empty()) raise(SIGKILL);
       end_workers();
       clean_up();
       if (is_ending_ || !has_request_) continue;
       const KeeperRequest request = receive_keeper_request(socket_, start);
-      // A process whose limits a method lowered, or that has no room for descriptors, is replaced
-      // as one that a method killed.
-      if (request == KeeperRequest::Broken || !limits_.restore_lowered().empty()) raise(SIGKILL);
+      if (request == KeeperRequest::Broken) raise(SIGKILL);
       if (request == KeeperRequest::End) is_ending_ = true;
       if (request == KeeperRequest::Start) fork_worker(std::move(start));
       if (request == KeeperRequest::Reply) send_reply_request(socket_);

@@ -54,7 +54,9 @@ TEST(PngScene, ReferencesHaveTheColorsAndDashesOfTheSvg) {
     std::string name;
     unsigned y;
   } lines[] = {{"shortest", 150}, {"safest", 100}};
-  for (const auto& [name, y] : lines) {
+  for (const auto& line : lines) {
+    const std::string& name = line.name;
+    const unsigned y = line.y;
     std::smatch style;
     ASSERT_TRUE(std::regex_search(
         svg, style,
