@@ -8,6 +8,7 @@
 #include <slalom/app/interrupt.h>
 #include <slalom/app/method_dependencies.h>
 #include <slalom/app/output_folder.h>
+#include <slalom/app/program.h>
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
