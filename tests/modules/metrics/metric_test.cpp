@@ -245,8 +245,8 @@ TEST(Metrics, OfRandomRunsAreInTheRangesThatTheirRowsState) {
 TEST(Metrics, HaveTheKindThatTheirUnitSays) {
   for (const Metric& metric : all_metrics()) {
     const QuantityInfo& info = metric.info;
-    const bool without_unit = info.kind == QuantityKind::Rate ||
-                              info.kind == QuantityKind::Ratio || info.kind == QuantityKind::Score;
+    const bool without_unit = info.kind == QuantityKind::Rate || info.kind == QuantityKind::Ratio ||
+                              info.kind == QuantityKind::Score;
     EXPECT_EQ(without_unit, info.unit == "-" && info.id != "contact_mover") << info.id;
     if (info.is_rate()) {
       EXPECT_EQ(range_notation(info.range), "0..1") << info.id;
