@@ -4,6 +4,7 @@
 #include <slalom/app/program.h>
 #include <slalom/app/question_options.h>
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
 #include <slalom/ros_parameters/resolve.h>
 
@@ -47,7 +48,8 @@ EarlierUse earlier_use(const fs::path& folder, const Ids& sealed) {
       continue;
     try {
       Ids common;
-      for (const std::string& id : sealed_scenarios(read_certificate(file.string())))
+      for (const std::string& id :
+           sealed_scenarios(parse_certificate(read_file(file.string()), file.string())))
         if (sealed.count(id) > 0) common.insert(id);
       use.searches += common.empty() ? 0 : 1;
       use.scenarios.merge(common);

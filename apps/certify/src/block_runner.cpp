@@ -72,7 +72,12 @@ std::uint64_t digest_of(const DrawnRun& run) {
 }
 
 constexpr char kJournal[] = "slalom-certify journal ";
-constexpr std::size_t kMaxAgain = 99;  ///< draws that the robot cannot solve, in place of one run
+constexpr std::size_t kMaxInARow = 100;  ///< draws that are no runs
+
+/// Whether a draw that the robot cannot solve is no run: nothing but chance is to blame.
+bool draws_again(const RunStream& stream) {
+  return stream.parameters.empty() && !stream.scenarios;
+}
 
 }  // namespace
 
@@ -123,11 +128,9 @@ void BlockRunner::check(const RunStream& stream) const {
   }
 }
 
-std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t index,
-                                         std::size_t again) const {
+std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t index) const {
   if (stream.scenarios) return RunDraw{stream.scenarios->at(index)};
-  const std::string name = stream.name + (again == 0 ? "" : "/again/" + std::to_string(again));
-  RandomEngine engine(derive_seed(campaign_.options.seed, name, index));
+  RandomEngine engine(derive_seed(campaign_.options.seed, stream.name, index));
   IniFile ini = stream.ini;
   bool own_options = false;
   for (const DrawnParameter& drawn : stream.parameters) {
@@ -149,49 +152,55 @@ std::optional<RunDraw> BlockRunner::draw(const RunStream& stream, std::size_t in
 }
 
 void BlockRunner::run(const RunStream& stream, std::size_t max_runs, const ReceiveRun& receive) {
-  Stream& kept = streams_[stream.name];
-  std::size_t next = 0;
-  const auto pass_on = [&] {
-    const bool more = receive(kept.runs[next]);
-    kept.passed = std::max(kept.passed, ++next);
-    return more && next < max_runs;
-  };
   if (max_runs == 0) return;
+  Stream& kept = streams_[stream.name];
+  std::size_t next = 0, runs = 0, in_a_row = 0;
+  const auto pass_on = [&] {
+    BlockRun run = kept.runs[next];
+    run.index = next++;
+    kept.passed = std::max(kept.passed, next);
+    if (run.outcome == Outcome::UnsolvableScenario && draws_again(stream)) {
+      if (++in_a_row < kMaxInARow) return true;
+      throw job_error(stream.title,
+                      "no solvable scenario in " + std::to_string(kMaxInARow) + " draws");
+    }
+    in_a_row = 0;
+    return receive(run) && ++runs < max_runs;
+  };
   while (next < kept.runs.size())
     if (!pass_on()) return;
-  const std::size_t first = next;
-  const bool redraws = stream.parameters.empty() && !stream.scenarios;
   const auto progress = make_terminal_progress(execution_.quiet);
   progress->start(stream.title, max_runs);
-  const bool complete = run_draws(
-      stream.method.value_or(campaign_.method), read_campaign_options(stream.ini),
-      [&](std::size_t index, std::size_t again) { return draw(stream, first + index, again); },
-      max_runs - first,
-      {execution_.workers, execution_.interrupted, execution_.metric, redraws ? kMaxAgain : 0},
-      [&](const DrawnRun& drawn) {
-        if (redraws && drawn.outcome == Outcome::UnsolvableScenario)
-          throw job_error(stream.title, "no solvable scenario in " + std::to_string(kMaxAgain + 1) +
-                                            " draws: " + drawn.detail);
-        kept.runs.push_back({drawn.outcome, drawn.value, digest_of(drawn), drawn.again});
-        write_journal(stream.name, kept.runs.back());
-        if (const std::string outcome(to_string(drawn.outcome));
-            first_failure_.empty() && is_method_failure(outcome))
-          first_failure_ = outcome + ": " + drawn.detail;
-        cycle_time_ = std::max(cycle_time_.value_or(0), drawn.cycle_time);
-        progress->advance(next + 1);
-        return pass_on();
-      });
+  for (bool more = true; more;) {  // as many draws as runs are missing, until none is
+    const std::size_t first = next;
+    const bool complete = run_draws(
+        stream.method.value_or(campaign_.method), read_campaign_options(stream.ini),
+        [&](std::size_t index) { return draw(stream, first + index); }, max_runs - runs,
+        {execution_.workers, execution_.interrupted, execution_.metric},
+        [&](const DrawnRun& drawn) {
+          kept.runs.push_back({drawn.outcome, drawn.value, digest_of(drawn)});
+          write_journal(stream.name, kept.runs.back());
+          if (const std::string outcome(to_string(drawn.outcome));
+              first_failure_.empty() && is_method_failure(outcome))
+            first_failure_ = outcome + ": " + drawn.detail;
+          cycle_time_ = std::max(cycle_time_.value_or(0), drawn.cycle_time);
+          more = pass_on();
+          progress->advance(runs);
+          return more;
+        });
+    if (!complete) break;
+    if (!more) return progress->finish();
+  }
   progress->finish();
-  if (!complete)
-    throw Interrupted(execution_.journal.empty() ? "nothing was written"
-                                                 : "the same command continues");
+  throw Interrupted(execution_.journal.empty() ? "nothing was written"
+                                               : "the same command continues");
 }
 
-std::size_t BlockRunner::redrawn() const {
-  std::size_t count = 0;
-  for (const auto& [name, kept] : streams_)
-    for (std::size_t i = 0; i < kept.passed; ++i) count += kept.runs[i].again;
-  return count;
+std::size_t BlockRunner::redrawn(const RunStream& stream) const {
+  const Stream& kept = streams_.at(stream.name);
+  return static_cast<std::size_t>(std::count_if(
+      kept.runs.begin(), kept.runs.begin() + static_cast<std::ptrdiff_t>(kept.passed),
+      [](const BlockRun& run) { return run.outcome == Outcome::UnsolvableScenario; }));
 }
 
 std::string BlockRunner::method_failures() const {
@@ -226,8 +235,7 @@ std::string BlockRunner::hash_all(const std::string& prefix) const {
   return hasher.hex();
 }
 
-/// Line by line: the name of a stream after "@", or outcome, digest, value and draws again of its
-/// next run.
+/// Line by line: the name of a stream after "@", or outcome, digest and value of its next run.
 void BlockRunner::read_journal() {
   const std::string head = kJournal + execution_.identity + "\n";
   std::string text;
@@ -245,7 +253,7 @@ void BlockRunner::read_journal() {
     std::istringstream words(line);
     std::string name, value;
     BlockRun run;
-    words >> name >> std::hex >> run.digest >> value >> std::dec >> run.again;
+    words >> name >> std::hex >> run.digest >> value;
     const std::optional<Outcome> outcome = from_name<Outcome>(name);
     double number = 0;
     if (value != "-" && parse_number(value, number)) run.value = number;
@@ -273,7 +281,7 @@ void BlockRunner::write_journal(const std::string& stream, const BlockRun& run) 
   if (stream != journal_stream_) journal_ << '@' << stream << '\n';
   journal_stream_ = stream;
   journal_ << to_string(run.outcome) << ' ' << std::hex << run.digest << ' '
-           << (run.value ? format_number(*run.value) : "-") << ' ' << std::dec << run.again << '\n';
+           << (run.value ? format_number(*run.value) : "-") << '\n';
   // Flushed for each run: what is lost in a kill is executed again, but a full disk is told at
   // once.
   if (!journal_.flush())

@@ -164,11 +164,8 @@ Json LimitQuestion::failures_of(const Json& claims, const IniFile& ini, BlockRun
     std::size_t bin = 0;
     while (bins.edge(bin) != curve.at("from").get<double>()) ++bin;
     const RunStream runs = stream(ini, LimitPhase::Curve, {bin, bin + 1});
-    std::size_t index = 0;
     runner.run(runs, curve.at("runs").get<std::size_t>(), [&](const BlockRun& one) {
-      if (one.outcome != Outcome::Success)
-        failures.push_back(failure_json(runner, runs, index, one));
-      ++index;
+      if (one.outcome != Outcome::Success) failures.push_back(failure_json(runner, runs, one));
       return failures.size() < kListedFailures;
     });
     if (failures.size() >= kListedFailures) break;

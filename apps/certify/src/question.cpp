@@ -106,11 +106,10 @@ std::string rate_text(std::size_t runs, std::size_t successes, double confidence
   return fmt::format("{:.2f} [{:.2f}, {:.2f}]", k / n, interval.low, interval.high);
 }
 
-Json failure_json(const BlockRunner& runner, const RunStream& stream, std::size_t index,
-                  const BlockRun& run) {
-  const std::optional<RunDraw> draw = runner.draw(stream, index, run.again);
+Json failure_json(const BlockRunner& runner, const RunStream& stream, const BlockRun& run) {
+  const std::optional<RunDraw> draw = runner.draw(stream, run.index);
   return {{"runs", stream.title},
-          {"index", index},
+          {"index", run.index},
           {"outcome", to_string(run.outcome)},
           {"scenario", draw ? Json(draw->scenario.hash()) : Json()},
           {"yaml", draw ? Json(scenario_to_yaml(draw->scenario)) : Json()}};

@@ -123,20 +123,20 @@ RunStream RiskQuestion::stream(const IniFile& ini, std::size_t batch) {
 
 Json RiskQuestion::run_batch(const RunStream& runs, std::size_t max_runs, BlockRunner& runner,
                              Counts& counts) const {
-  std::size_t done = 0, hits = 0, redrawn = 0;
+  std::size_t done = 0, hits = 0;
   runner.run(runs, max_runs, [&](const BlockRun& run) {
     const bool hit = is_hit(run.outcome);
     if (hit && counts.listed.size() < kListedHits)
-      counts.listed.push_back(failure_json(runner, runs, done, run));
+      counts.listed.push_back(failure_json(runner, runs, run));
     ++done;
     hits += hit ? 1 : 0;
-    redrawn += run.again;
     ++counts.outcomes[run.outcome];
     if (counts.test) counts.test->add(!hit);
     return !counts.decided();
   });
   counts.runs += done;
   counts.hits += hits;
+  const std::size_t redrawn = runner.redrawn(runs);
   counts.redrawn += redrawn;
   return {{"runs", done}, {"hits", hits}, {"redrawn", redrawn}, {"hash", runner.hash(runs.name)}};
 }

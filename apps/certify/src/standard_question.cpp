@@ -92,15 +92,17 @@ RunStream StandardQuestion::stream(const MethodCampaign& campaign, const std::st
 
 Json StandardQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) const {
   Json tests = Json::array();
-  std::size_t passed = 0;
+  std::size_t passed = 0, redrawn = 0;
   for (const std::string& family : families_)
     for (const double speed : speeds_) {
       std::size_t failures = 0, collisions = 0;
-      runner.run(stream(campaign, family, speed), trials_, [&](const BlockRun& run) {
+      const RunStream runs = stream(campaign, family, speed);
+      runner.run(runs, trials_, [&](const BlockRun& run) {
         failures += run.outcome == Outcome::Success ? 0 : 1;
         collisions += run.outcome == Outcome::Collision ? 1 : 0;
         return true;
       });
+      redrawn += runner.redrawn(runs);
       // Rounded, as its last bits depend on the mathematical library.
       const double shown =
           std::round(shown_confidence(trials_, failures, reliability_) * 1e6) / 1e6;
@@ -116,7 +118,7 @@ Json StandardQuestion::answer(const MethodCampaign& campaign, BlockRunner& runne
     }
   return {{"claim", fmt::format("{} of {} tests passed", passed, tests.size())},
           {"passed", passed},
-          {"redrawn", runner.redrawn()},
+          {"redrawn", redrawn},
           {"resolution", campaign.options.simulation.resolution},
           {"seed", campaign.options.seed},
           {"tests", tests},

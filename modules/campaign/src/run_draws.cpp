@@ -26,28 +26,14 @@ CampaignOptions without_measurements(CampaignOptions options, const std::string&
 class DrawExecutor {
  public:
   DrawExecutor(const NamedMethod& method, const CampaignOptions& options, const DrawRun& draw,
-               const DrawExecution& execution)
-      : draw_(draw), metric_(execution.metric), max_again_(execution.max_again) {
-    campaign_.options = without_measurements(options, metric_);
+               const std::string& metric)
+      : draw_(draw), metric_(metric) {
+    campaign_.options = without_measurements(options, metric);
     campaign_.methods = {method};
   }
 
   DrawnRun execute(std::size_t index, SharedTaskLog& log) {
-    DrawnRun run;
-    for (std::size_t again = 0; again <= max_again_; ++again) {
-      run = execute(draw_(index, again), log);
-      run.again = again;
-      if (run.outcome != Outcome::UnsolvableScenario) break;
-    }
-    return run;
-  }
-
-  void destroy_methods() {
-    if (executor_) executor_->destroy_methods();
-  }
-
- private:
-  DrawnRun execute(std::optional<RunDraw> drawn, SharedTaskLog& log) {
+    std::optional<RunDraw> drawn = draw_(index);
     if (!drawn)
       return {Outcome::UnsolvableScenario, "no scenario that the robot can solve", "", "", {}};
     if (drawn->options) {
@@ -77,9 +63,13 @@ class DrawExecutor {
             cycle == figures.end() ? 0 : cycle->second};
   }
 
+  void destroy_methods() {
+    if (executor_) executor_->destroy_methods();
+  }
+
+ private:
   const DrawRun& draw_;
   const std::string& metric_;
-  const std::size_t max_again_;
   Campaign campaign_;
   std::vector<References> references_ = std::vector<References>(2);
   std::optional<RunExecutor> executor_;
@@ -95,7 +85,6 @@ std::string to_bytes(const DrawnRun& run) {
       .u8(run.value ? 1 : 0)
       .f64(run.value.value_or(0))
       .f64(run.cycle_time)
-      .u64(run.again)
       .take();
 }
 
@@ -113,7 +102,6 @@ std::optional<DrawnRun> read_answer(const std::string& bytes) {
     const double value = reader.f64();
     if (has_value) run.value = value;
     run.cycle_time = reader.f64();
-    run.again = reader.u64();
     return run;
   } catch (const Error&) {
     return std::nullopt;
@@ -130,7 +118,7 @@ DrawnRun run_of(const WorkResult& result) {
 bool run_draws(const NamedMethod& method, const CampaignOptions& options, const DrawRun& draw,
                std::size_t max_runs, const DrawExecution& execution,
                const std::function<bool(const DrawnRun&)>& receive) {
-  DrawExecutor executor(method, options, draw, execution);
+  DrawExecutor executor(method, options, draw, execution.metric);
   bool finished = false;
   PoolOptions pool = pool_of_runs(options, execution.workers);
   pool.hooks.is_valid = [](std::size_t, const std::string& payload) {

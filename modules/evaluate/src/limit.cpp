@@ -37,7 +37,7 @@ LimitResult limit(const NamedMethod& method, const FamilyAt& family_at,
     const auto [low, high] = std::minmax({edges.at(bins.first), edges.at(bins.end)});
     const std::string label = "limit/" + std::string(to_string(phase)) + "/" +
                               std::to_string(bins.first) + "-" + std::to_string(bins.end);
-    const DrawRun draw = [&, low = low, high = high](std::size_t index, std::size_t) {
+    const DrawRun draw = [&, low = low, high = high](std::size_t index) {
       RandomEngine engine(derive_seed(options.seed, label, index));
       const double value = uniform_real(engine, low, high);
       return draw_of(family_at, value, engine(), options);

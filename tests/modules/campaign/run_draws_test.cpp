@@ -59,7 +59,7 @@ Scenario corridor(std::size_t index, double goal_y = 2) {
                               {1, 2, 0}, {3, goal_y});
 }
 
-std::optional<RunDraw> draw_corridor(std::size_t index, std::size_t /*again*/) {
+std::optional<RunDraw> draw_corridor(std::size_t index) {
   return RunDraw{corridor(index)};
 }
 
@@ -113,7 +113,7 @@ TEST(RunDraws, ArriveInOrderUntilTheReceiverHasEnoughForAnyNumberOfWorkers) {
 }
 
 TEST(RunDraws, UseTheOptionsOfADraw) {
-  const auto draw = [](std::size_t index, std::size_t) -> std::optional<RunDraw> {
+  const auto draw = [](std::size_t index) -> std::optional<RunDraw> {
     CampaignOptions options = options_of_draws();
     options.odometry = {};
     options.robot.max_v = index == 0 ? 1 : 0.2;  // 2 m in 5 s
@@ -125,7 +125,7 @@ TEST(RunDraws, UseTheOptionsOfADraw) {
 }
 
 TEST(RunDraws, AMethodThatCrashesFailsInItsRunOnly) {
-  const auto draw = [](std::size_t index, std::size_t) -> std::optional<RunDraw> {
+  const auto draw = [](std::size_t index) -> std::optional<RunDraw> {
     return RunDraw{corridor(1 + 3 * index, index == 1 ? 2.1 : 2)};
   };
   const std::vector<DrawnRun> runs = runs_of(draw, 3, 1);
@@ -136,13 +136,13 @@ TEST(RunDraws, AMethodThatCrashesFailsInItsRunOnly) {
 }
 
 TEST(RunDraws, WithoutASolvableScenarioAreNotExecuted) {
-  const auto draw = [](std::size_t, std::size_t) -> std::optional<RunDraw> { return std::nullopt; };
+  const auto draw = [](std::size_t) -> std::optional<RunDraw> { return std::nullopt; };
   const std::vector<DrawnRun> runs = runs_of(draw, 1, 1);
   EXPECT_EQ(runs.at(0).outcome, Outcome::UnsolvableScenario);
 }
 
 TEST(RunDraws, EndWithTheErrorOfADraw) {
-  const auto draw = [](std::size_t, std::size_t) -> std::optional<RunDraw> {
+  const auto draw = [](std::size_t) -> std::optional<RunDraw> {
     throw std::runtime_error("the map is gone");
   };
   EXPECT_TRUE(throws_error(ErrorKind::Job, "a run of ahead", {"the map is gone"},
@@ -155,10 +155,10 @@ TEST(RunDraws, AfterOneThatAnInterruptKillsAreNotPassedOn) {
   for (const int workers : {2, 3}) {
     const SharedCount drawn;
     std::vector<DrawnRun> received;
-    const auto draw = [&](std::size_t index, std::size_t again) {
+    const auto draw = [&](std::size_t index) {
       if (index == 5) pause();
       ++*drawn;
-      return draw_corridor(index, again);
+      return draw_corridor(index);
     };
     EXPECT_FALSE(run_draws(ahead(), options_of_draws(), draw, 1000,
                            {workers, [&] { return *drawn >= 30; }}, [&](const DrawnRun& run) {
@@ -168,30 +168,6 @@ TEST(RunDraws, AfterOneThatAnInterruptKillsAreNotPassedOn) {
     ASSERT_EQ(received.size(), 5U) << workers;
     for (std::size_t i = 0; i < received.size(); ++i)
       EXPECT_EQ(received[i].trajectory_hash, all[i].trajectory_hash) << i;
-  }
-}
-
-TEST(RunDraws, AnotherDrawTakesThePlaceOfOneThatTheRobotCannotSolve) {
-  // The robot starts in a wall in the first draws of the second run, as many as its index tells.
-  const auto draw = [](std::size_t index, std::size_t again) -> std::optional<RunDraw> {
-    if (index == 2 && again == 0) return std::nullopt;
-    Primitives walls;
-    if (index == 1 && again < 2) walls.discs = {{{1, 2}, 0.5}};
-    return RunDraw{Scenario::continuous("s", {0, 0, 4, 4}, std::move(walls), {1, 2, 0}, {3, 2})};
-  };
-  for (const std::size_t max_again : {0U, 1U, 5U}) {
-    std::vector<DrawnRun> runs;
-    EXPECT_TRUE(run_draws(ahead(), options_of_draws(), draw, 3, {2, nullptr, "", max_again},
-                          [&](const DrawnRun& run) {
-                            runs.push_back(run);
-                            return true;
-                          }));
-    ASSERT_EQ(runs.size(), 3U);
-    EXPECT_EQ(runs[0].again, 0U);
-    EXPECT_EQ(runs[1].again, std::min<std::size_t>(2, max_again));
-    EXPECT_EQ(runs[1].outcome, max_again < 2 ? Outcome::UnsolvableScenario : Outcome::Success);
-    EXPECT_EQ(runs[2].again, std::min<std::size_t>(1, max_again));
-    EXPECT_EQ(runs[2].outcome, max_again < 1 ? Outcome::UnsolvableScenario : Outcome::Success);
   }
 }
 

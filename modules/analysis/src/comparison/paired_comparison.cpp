@@ -4,6 +4,7 @@
 #include <slalom/analysis/mean_interval.h>
 #include <slalom/analysis/paired_comparison.h>
 #include <slalom/analysis/power.h>
+#include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/rate_tests.h>
 #include <slalom/analysis/scenario_means.h>
 #include <slalom/analysis/two_samples.h>
@@ -248,7 +249,7 @@ void add_effect(PairedComparison& comparison, const PairedValues& values,
   add_ratio(comparison, values.a, values.b, confidence);
   if (!info.range.is_bounded()) return;
   if (info.kind == QuantityKind::Score) {
-    add_difference_of_sides(comparison, values.a, values.b, correlation(a, b), confidence);
+    add_difference_of_sides(comparison, values.a, values.b, pearson(a, b).value_or(0), confidence);
   } else if (is_within(info.range, *comparison.mean_a) &&
              is_within(info.range, *comparison.mean_b)) {
     comparison.interval = gaffke_interval(moments_of(singles(differences)), singles(differences),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/distributions.h>
 #include <slalom/analysis/mean_interval.h>
+#include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/rate_tests.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ Interval rate_difference_interval(double rate_a, double n_a, double rate_b, doub
 Interval paired_rate_interval(const std::vector<double>& a, const std::vector<double>& b,
                               double confidence) {
   const double n = static_cast<double>(a.size());
-  return rate_difference_interval(mean(a), n, mean(b), n, correlation(a, b), confidence);
+  return rate_difference_interval(mean(a), n, mean(b), n, pearson(a, b).value_or(0), confidence);
 }
 
 std::vector<double> holm_adjusted(const std::vector<double>& p) {

@@ -91,17 +91,6 @@ std::optional<double> standard_deviation(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const double mean_a = mean(a), mean_b = mean(b);
-  double aa = 0, bb = 0, ab = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - mean_a) * (a[i] - mean_a);
-    bb += (b[i] - mean_b) * (b[i] - mean_b);
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-  }
-  return aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
-}
-
 Interval wilson_interval(double rate, double n, double confidence) {
   const double z = distributions::normal_quantile(0.5 + confidence / 2);
   const double shrink = 1 + z * z / n;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/distributions.h>
 #include <slalom/analysis/mean_interval.h>
+#include <slalom/analysis/rank_statistics.h>
 #include <slalom/analysis/rate_tests.h>
 #include <slalom/core/random.h>
 
@@ -189,7 +190,8 @@ TEST(DifferenceInterval, OfPairedScoresCoversTheirDifference) {
           a.push_back(u < rates.a ? efficiency : 0);
           b.push_back(v < rates.b ? (common ? efficiency : beta_value(engine, 20, 3)) : 0);
         }
-        return difference_interval(mean(a), hurdle(a), mean(b), hurdle(b), correlation(a, b));
+        return difference_interval(mean(a), hurdle(a), mean(b), hurdle(b),
+                                   pearson(a, b).value_or(0));
       });
       EXPECT_GE(found.covered, 0.93) << rates.a << " " << rates.b << " " << n;
       RecordProperty(

@@ -55,7 +55,7 @@ struct BlockRun {
   Outcome outcome = Outcome::InfrastructureError;
   std::optional<double> value;  ///< of the metric of the execution
   std::uint64_t digest = 0;     ///< of scenario and trajectory
-  std::size_t again = 0;        ///< draws before this one, which the robot cannot solve
+  std::size_t index = 0;        ///< of its draw in the stream
 };
 using ReceiveRun = std::function<bool(const BlockRun& run)>;
 
@@ -85,12 +85,11 @@ class BlockRunner {
   /// Interrupted, and Error (Job) for runs that cannot be executed or drawn.
   void run(const RunStream& stream, std::size_t max_runs, const ReceiveRun& receive);
 
-  /// The scenario and the options of a run, after so many draws for it that the robot cannot solve;
-  /// none if the sources give no scenario that is solvable.
-  std::optional<RunDraw> draw(const RunStream& stream, std::size_t index, std::size_t again) const;
+  /// The scenario and the options of a draw; none if the sources give no scenario that is solvable.
+  std::optional<RunDraw> draw(const RunStream& stream, std::size_t index) const;
 
-  /// Draws that are no runs, since the robot cannot solve them, of the runs that were passed on.
-  std::size_t redrawn() const;
+  /// Draws of a stream that are no runs, among those up to the last run that was passed on.
+  std::size_t redrawn(const RunStream& stream) const;
 
   /// Hash of scenarios, outcomes and trajectories of the runs that were passed on: of a stream, or
   /// of all whose names have the prefix, in the order of the names.

@@ -78,8 +78,7 @@ void require_runs(double rate, double confidence, const std::string& option, std
 /// "0.97 [0.83, 1.00]", with clopper_pearson_interval().
 std::string rate_text(std::size_t runs, std::size_t successes, double confidence = 0.95);
 /// A run that failed: its stream, number, outcome and, if it has one, its scenario in full.
-Json failure_json(const BlockRunner& runner, const RunStream& stream, std::size_t index,
-                  const BlockRun& run);
+Json failure_json(const BlockRunner& runner, const RunStream& stream, const BlockRun& run);
 /// Adds the number of draws that are no runs, the member `redrawn` of an answer, unless it is 0.
 void append_redrawn(Statement& statement, const Json& answer);
 /// "[1.2, 1.1] m", of the members `from` and `to`.

@@ -60,9 +60,6 @@ double mean_of_groups(const GroupSums& groups);  ///< over all values; requires 
 /// Sample standard deviation (n - 1); none for fewer than two values.
 std::optional<double> standard_deviation(const std::vector<double>& values);
 
-/// Pearson's correlation of two samples of equal size; 0 if one is constant.
-double correlation(const std::vector<double>& a, const std::vector<double>& b);
-
 /// Score interval of a rate `rate` observed in `n` trials (Wilson 1927). `n` need not be an
 /// integer: see effective_sample_size. Requires 0 <= rate <= 1, n > 0, 0 < confidence < 1.
 Interval wilson_interval(double rate, double n, double confidence);

@@ -17,10 +17,9 @@ struct RunDraw {
   std::optional<CampaignOptions> options = std::nullopt;
 };
 
-/// Draws the run with an index, from 0; none if it finds no scenario that the robot can solve.
-/// `again` is the number of draws for this run before. The same numbers must give the same run.
-/// Executed in worker processes.
-using DrawRun = std::function<std::optional<RunDraw>(std::size_t index, std::size_t again)>;
+/// Draws the run with an index; none if it finds no scenario that the robot can solve. The same
+/// index must give the same run. Executed in worker processes.
+using DrawRun = std::function<std::optional<RunDraw>(std::size_t index)>;
 
 /// The stored part of a run. Hashes are empty where there is no scenario, and that of the
 /// trajectory also where the method's process died.
@@ -29,7 +28,6 @@ struct DrawnRun {
   std::string detail, scenario_hash, trajectory_hash;
   std::optional<double> value;  ///< of the metric; none if it is not available
   double cycle_time = 0;        ///< ms of wall-clock time; 99 % quantile of the control cycles
-  std::size_t again = 0;        ///< draws before this one, which the robot cannot solve
 };
 
 /// How runs are executed; neither workers nor interruption affect a run.
@@ -37,7 +35,6 @@ struct DrawExecution {
   int workers = 1;
   std::function<bool()> interrupted = nullptr;  ///< polled
   std::string metric = {};                      ///< id of one that needs no references; "": none
-  std::size_t max_again = 0;  ///< draws after one that the robot cannot solve, which is no run
 };
 
 /// Runs a method in scenarios that are drawn when they are needed, without descriptors and
