@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstring>
 #include <dds/dds.h>
 #include <limits>
@@ -199,6 +200,10 @@ const Service kSetValues = {"set_parameters",
                             &slalom_ros2_ResultList_desc};
 
 /// A client of a service of a node, with one question at a time.
+///
+/// A node that has not found the reader of its replies yet loses them. The first question is
+/// therefore asked again until there is a reply, with one more copy of its content each time:
+/// replies on Fast DDS have no number here, but as many values as their question has copies.
 class Client {
  public:
   Client(dds_entity_t participant, const std::string& node, const Service& service)
@@ -213,23 +218,33 @@ class Client {
     dds_subscription_matched_status_t writers;
     dds_get_publication_matched_status(request_, &readers);
     dds_get_subscription_matched_status(reply_, &writers);
-    return readers.current_count > 0 && writers.current_count > 0;
+    const bool is_matched = readers.current_count > 0 && writers.current_count > 0;
+    if (!is_matched) is_heard_ = false;
+    return is_matched;
   }
 
-  bool asked() const { return asked_; }
+  /// Whether no question is open, or the first one is to be asked again.
+  bool must_ask() const {
+    return !is_open_ || (!is_heard_ && Steady::now() - asked_at_ >= kPatience);
+  }
+  /// The number of copies of the content of the next question.
+  std::size_t copies() const { return is_open_ ? copies_ + 1 : copies_; }
 
   /// Asks by a message of Cyclone, with its body.
   template <typename Message>
   void ask(Message message) {
+    copies_ = copies();
     message.client = kClient;
     message.number = ++number_;
     check("question",
           dds_write(request_, fast_dds_ ? static_cast<void*>(&message.body) : &message));
-    asked_ = true;
+    is_open_ = true;
+    asked_at_ = Steady::now();
   }
 
   /// Passes the body of the reply on, after waiting up to this time (s); false if there is none.
-  /// Replies to other clients have other numbers. Those of Fast DDS have none here.
+  /// Replies to other clients and questions have other numbers, or another number of values: none
+  /// if the node knows no such parameter.
   template <typename Message, typename Function>
   bool await_reply(double seconds, Function function) {
     if (take_reply<Message>(function)) return true;
@@ -239,7 +254,9 @@ class Client {
   }
 
  private:
+  using Steady = std::chrono::steady_clock;
   static constexpr std::uint64_t kClient = 0x51a10a;
+  static constexpr std::chrono::seconds kPatience{1};
 
   /// The types have the names of ROS 2, not those of this program.
   void connect(bool fast_dds) {
@@ -262,40 +279,56 @@ class Client {
     using Body = decltype(Message::body);
     bool found = false;
     take_all<Message>(reply_, [&](const Message& reply, const dds_sample_info_t& info) {
-      found =
-          info.valid_data && (fast_dds_ || (reply.client == kClient && reply.number == number_));
-      if (found) function(fast_dds_ ? reinterpret_cast<const Body&>(reply) : reply.body);
+      if (!info.valid_data) return true;
+      const Body& body = fast_dds_ ? reinterpret_cast<const Body&>(reply) : reply.body;
+      const std::size_t values = size_of(body);
+      found = fast_dds_ ? values == 0 || values == copies_
+                        : reply.client == kClient && reply.number == number_;
+      if (found) function(body);
       return !found;
     });
-    if (found) asked_ = false;
+    if (found) {
+      is_open_ = false;
+      is_heard_ = true;
+    }
     return found;
   }
+
+  static std::size_t size_of(const slalom_ros2_TypeList& reply) { return reply.types._length; }
+  static std::size_t size_of(const slalom_ros2_ValueList& reply) { return reply.values._length; }
+  static std::size_t size_of(const slalom_ros2_ResultList& reply) { return reply.results._length; }
 
   dds_entity_t participant_;
   std::string topic_;
   Service service_;
-  bool fast_dds_ = false, asked_ = false;
+  bool fast_dds_ = false;
+  bool is_open_ = false;   ///< a question without reply
+  bool is_heard_ = false;  ///< there has been a reply since the node was found
+  Steady::time_point asked_at_;
+  std::size_t copies_ = 1;
   std::int64_t number_ = 0;
   std::optional<dds_topic_descriptor_t> request_type_, reply_type_;
   std::string request_name_, reply_name_;
   Entity request_, reply_, waitset_;
 };
 
-/// A question with one name.
+/// A question with copies of a name.
 class NameQuestion {
  public:
-  explicit NameQuestion(std::string name) : name_(std::move(name)), names_{name_.data()} {}
+  NameQuestion(std::string name, std::size_t copies)
+      : name_(std::move(name)), names_(copies, name_.data()) {}
 
   slalom_ros2_CycloneNames message() {
     slalom_ros2_CycloneNames message{};
     message.body.names._buffer = names_.data();
-    message.body.names._length = message.body.names._maximum = 1;
+    message.body.names._length = message.body.names._maximum =
+        static_cast<std::uint32_t>(names_.size());
     return message;
   }
 
  private:
   std::string name_;
-  std::array<char*, 1> names_;
+  std::vector<char*> names_;
 };
 
 /// A question to a node, which it answers after the callbacks of the data that it received before:
@@ -308,7 +341,7 @@ class Barrier {
   bool is_matched(const Publications& publications) { return client_.is_matched(publications); }
 
   bool pass(double seconds) {
-    if (!client_.asked()) client_.ask(NameQuestion("use_sim_time").message());
+    if (client_.must_ask()) client_.ask(NameQuestion("use_sim_time", client_.copies()).message());
     return client_.await_reply<slalom_ros2_CycloneTypes>(seconds, [](const auto&) {});
   }
 
@@ -372,7 +405,7 @@ class NodeParameters {
   std::string read(const NodeParameter& parameter, double seconds) {
     std::uint8_t type = kNotSet;
     bool is_equal = false;
-    if (!get_.asked()) get_.ask(NameQuestion(parameter.name).message());
+    if (get_.must_ask()) get_.ask(NameQuestion(parameter.name, get_.copies()).message());
     const auto receive = [&](const slalom_ros2_ValueList& reply) {
       if (reply.values._length == 0) return;
       type = reply.values._buffer[0].type;
@@ -392,12 +425,13 @@ class NodeParameters {
   }
 
   std::string set(const NodeParameter& parameter, double seconds) {
-    if (!set_.asked()) {
-      slalom_ros2_Parameter one{const_cast<char*>(parameter.name.c_str()),
-                                value_of(parameter, type_)};
+    if (set_.must_ask()) {
+      std::vector<slalom_ros2_Parameter> copies(
+          set_.copies(), {const_cast<char*>(parameter.name.c_str()), value_of(parameter, type_)});
       slalom_ros2_CycloneParameters message{};
-      message.body.parameters._buffer = &one;
-      message.body.parameters._length = message.body.parameters._maximum = 1;
+      message.body.parameters._buffer = copies.data();
+      message.body.parameters._length = message.body.parameters._maximum =
+          static_cast<std::uint32_t>(copies.size());
       set_.ask(message);
     }
     std::string reason = "no result";

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <dds/dds.h>
 #include <fstream>
+#include <utility>
 
 namespace {
 
@@ -72,21 +73,32 @@ class Peer {
       });
       take_one<slalom_ros2_CycloneNames>(types_.question, [this](const auto& m) {
         if (node_.fault() == "deaf" && node_.has_fault_now()) return;
+        if (loses(types_)) return;
         // The replies to two questions with one number could not be told apart.
         if (m.number <= last_question_) std::exit(4);
         last_question_ = m.number;
         const slalom_ros2_CycloneTypes reply{m.client, m.number, {}};
         dds_write(types_.reply, &reply);
       });
-      take_one<slalom_ros2_CycloneNames>(values_.question, [this](const auto& m) { get(m); });
-      take_one<slalom_ros2_CycloneParameters>(setting_.question, [this](const auto& m) { set(m); });
+      take_one<slalom_ros2_CycloneNames>(values_.question, [this](const auto& m) {
+        if (!loses(values_)) get(m);
+      });
+      take_one<slalom_ros2_CycloneParameters>(setting_.question, [this](const auto& m) {
+        if (!loses(setting_)) set(m);
+      });
     }
   }
 
  private:
   struct Service {
     dds_entity_t question = 0, reply = 0;
+    bool has_lost = false;
   };
+
+  /// Whether the reply to the first question is lost.
+  bool loses(Service& service) const {
+    return node_.fault() == "loses" && !std::exchange(service.has_lost, true);
+  }
 
   Service service(const std::string& name, const std::string& type, dds_topic_descriptor_t question,
                   dds_topic_descriptor_t reply) const {
@@ -95,7 +107,7 @@ class Peer {
     question.m_typename = request_type.c_str();
     reply.m_typename = reply_type.c_str();
     return {reader(("rq/method/" + name + "Request").c_str(), question, true),
-            writer(("rr/method/" + name + "Reply").c_str(), reply)};
+            writer(("rr/method/" + name + "Reply").c_str(), reply), false};
   }
 
   /// Replies with values of several types; a name that is not there has none, as in rclpy.

@@ -16,7 +16,9 @@
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <map>
 #include <memory>
+#include <utility>
 
 namespace {
 
@@ -79,7 +81,7 @@ struct TwistStamped {
   }
 };
 struct Reply {
-  std::vector<std::uint8_t> types = {1};  // of use_sim_time: a boolean
+  std::vector<std::uint8_t> types;
   void code(Cdr& cdr) { cdr << types; }
 };
 
@@ -109,23 +111,31 @@ struct Value {
 };
 struct Values {
   Value value;
+  std::size_t count = 0;
   void code(Cdr& cdr) {
-    cdr << std::uint32_t{1};
-    value.code(cdr, true);
+    cdr << static_cast<std::uint32_t>(count);
+    for (std::size_t i = 0; i < count; ++i) value.code(cdr, true);
   }
 };
 struct Setting {
   std::string name;
   Value value;
+  std::uint32_t count = 0;
   void code(Cdr& cdr) {
-    std::uint32_t count = 0;
-    cdr >> count >> name;
-    value.code(cdr, false);
+    cdr >> count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      cdr >> name;
+      value.code(cdr, false);
+    }
   }
 };
 struct Result {
   std::string reason;
-  void code(Cdr& cdr) { cdr << std::uint32_t{1} << reason.empty() << reason; }
+  std::uint32_t count = 0;
+  void code(Cdr& cdr) {
+    cdr << count;
+    for (std::uint32_t i = 0; i < count; ++i) cdr << reason.empty() << reason;
+  }
 };
 
 /// Reads or writes a message by its code().
@@ -198,17 +208,15 @@ class Peer {
       take<Scan>(scan_, [this](const Scan& m) {
         node_.on_scan(m.stamp.value(), m.ranges, m.numbers[0], m.numbers[2]);
       });
-      take_one<Question>(question_, [this](const Question&) {
-        Reply reply;
-        reply_->write(&reply);
+      take_one<Question>(question_, [this](const Question& m) {
+        constexpr std::uint8_t kBool = 1;  // the type of use_sim_time
+        answer(reply_, Reply{std::vector<std::uint8_t>(m.names.size(), kBool)});
       });
-      take_one<Question>(get_, [this](const Question&) {
-        Values values{{3, node_.speed()}};
-        values_->write(&values);
+      take_one<Question>(get_, [this](const Question& m) {
+        answer(values_, Values{{3, node_.speed()}, m.names.size()});
       });
-      take_one<Setting>(set_, [this](const Setting& setting) {
-        Result result{node_.set_speed(setting.value.number)};
-        result_->write(&result);
+      take_one<Setting>(set_, [this](const Setting& m) {
+        answer(result_, Result{node_.set_speed(m.value.number), m.count});
       });
     }
   }
@@ -272,6 +280,18 @@ class Peer {
     }
   }
 
+  /// With the fault "late", the first reply of a service waits until a second one is there.
+  template <typename Message>
+  void answer(dds::DataWriter* replies, Message message) {
+    const bool is_late = node_.fault() == "late";
+    if (is_late && late_.count(replies) == 0) {
+      late_[replies] = [replies, message]() mutable { replies->write(&message); };
+      return;
+    }
+    if (is_late) std::exchange(late_[replies], [] {})();
+    replies->write(&message);
+  }
+
   void publish(const NavigatingNode::Answer& answer) {
     const std::array<double, 6> velocities = {answer.velocity.v, 0, 0, 0, 0, answer.velocity.w};
     if (node_.stamped()) {
@@ -292,6 +312,7 @@ class Peer {
   dds::Subscriber* subscriber_ = nullptr;
   dds::DataReader *clock_ = nullptr, *goal_ = nullptr, *odometry_ = nullptr, *scan_ = nullptr,
                   *question_ = nullptr, *get_ = nullptr, *set_ = nullptr;
+  std::map<dds::DataWriter*, std::function<void()>> late_;
   dds::DataWriter *reply_ = nullptr, *values_ = nullptr, *result_ = nullptr, *command_ = nullptr;
 };
 

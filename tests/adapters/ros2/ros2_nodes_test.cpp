@@ -248,6 +248,13 @@ TEST_F(Ros2NodesTest, ParametersOfNodesOnFastDdsAreSet) {
       [] { launch(FAST_PEER, "parameter_set = method.speed=3\n"); }));
 }
 
+TEST_F(Ros2NodesTest, AQuestionWhoseFirstReplyIsLostOrLateIsAskedAgain) {
+  const std::string lock = "barrier = method\nparameter_set = method.speed=0.5; method.speed=1\n";
+  expect_equal_runs(*launch(CYCLONE_PEER " loses", lock));
+  if (std::string(FAST_PEER).empty()) GTEST_SKIP() << "there is no Fast DDS 2";
+  expect_equal_runs(*launch(FAST_PEER " late", lock));
+}
+
 TEST_F(Ros2NodesTest, AParameterThatANodeDoesNotTakeIsAnErrorWithItsReason) {
   const auto refused = [](const std::string& set, std::initializer_list<std::string> words,
                           const std::string& arguments = "") {
