@@ -58,7 +58,7 @@ def run_campaign(folder, name, scenarios, methods, settings):
 
 def robustness(results, metrics):
     """The rows of each table of `robustness` over result files, by its name."""
-    command = [BIN / "slalom-analyze", "robustness", *results, "--parameter", "setting", "--allow-differences"]
+    command = [BIN / "slalom-analyze", "robustness", *results, "--parameter", "setting", "--despite-settings"]
     command += ["--values", ",".join(str(i) for i in range(len(results)))]
     found = json.loads(call(*command, "--metric", ",".join(metrics), "--json"))
     return {one["name"]: [dict(zip(one["columns"], row)) for row in one["rows"]] for one in found["tables"]}
