@@ -27,7 +27,8 @@ void convert_verb(const ConvertArguments& arguments) {
       std::cerr << printable_line(message) << "\n";
     size = output.size();
   });
-  if (!arguments.quiet) std::cerr << arguments.output << ": " << size << " scenarios\n";
+  if (!arguments.quiet)
+    std::cerr << arguments.output << ": " << count_text(size, "scenario") << "\n";
 }
 
 struct ExportArguments {

@@ -4,6 +4,7 @@
 #include "verbs.h"
 
 #include <slalom/commands/list_command.h>
+#include <slalom/core/text.h>
 #include <slalom/io/scenario_list.h>
 
 #include <iostream>
@@ -18,7 +19,7 @@ void write_scenarios(const std::string& path, std::vector<Scenario> scenarios,
     for (const auto& [key, text] : notes) list.set_note(key, text);
     size = list.size();
   });
-  if (!quiet) std::cerr << path << ": " << size << " scenarios\n";
+  if (!quiet) std::cerr << path << ": " << count_text(size, "scenario") << "\n";
 }
 
 void add_creation_verbs(CLI::App& app) {

@@ -45,7 +45,7 @@ TEST_F(ConvertPrograms, ConvertsAGridToPolygonsAndBackExactly) {
   EXPECT_EQ(hash("g.scenarios"), hash("ring.scenarios"));
   const ProgramResult points =
       run("slalom-scenarios convert p.scenarios --to points -o q.scenarios");
-  EXPECT_EQ(points.err, "q.scenarios: 1 scenarios\n");
+  EXPECT_EQ(points.err, "q.scenarios: 1 scenario\n");
 }
 
 TEST_F(ConvertPrograms, RejectsOccupiedStartOrGoal) {
@@ -71,7 +71,7 @@ points:
   const ProgramResult result = run(command + " --skip-blocked");
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find("near: occupied goal"), std::string::npos);
-  EXPECT_NE(result.err.find("c.scenarios: 1 scenarios"), std::string::npos);
+  EXPECT_NE(result.err.find("c.scenarios: 1 scenario"), std::string::npos);
 }
 
 TEST_F(ConvertPrograms, KeepsTagsAndDoesNotReplaceItsInput) {

@@ -63,6 +63,10 @@ void expect_same_generation(const ScenarioList& list, const std::string& identit
                      "is of another generation: " + enumerate(differences, list.path()), kRemedy);
 }
 
+std::string are_there(std::size_t scenarios) {
+  return count_text(scenarios, "scenario") + (scenarios == 1 ? " is there" : " are there");
+}
+
 bool is_there(const std::string& path) {
   return std::filesystem::exists(path);
 }
@@ -75,7 +79,7 @@ bool find_partial(const std::string& path, const std::string& identity,
   const ScenarioList list = ScenarioList::open(path);
   if (!is_begun(list)) return false;
   expect_same_generation(list, identity);
-  notify("continues: " + std::to_string(list.size()) + " scenarios are there");
+  notify("continues: " + are_there(list.size()));
   return true;
 }
 
@@ -91,7 +95,7 @@ std::optional<GeneratedBins> generate_file(const GenerationFile& file, const Ini
   if (!starts_over && is_there(file.path)) {
     const ScenarioList list = ScenarioList::open(file.path);
     expect_same_generation(list, identity);
-    file.notify("all " + std::to_string(list.size()) + " scenarios are there");
+    file.notify((list.size() == 1 ? "" : "all ") + are_there(list.size()));
     return std::nullopt;
   }
   if (starts_over || !find_partial(partial, identity, file.notify)) {

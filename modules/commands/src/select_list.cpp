@@ -21,7 +21,7 @@ void complete_indexes(ScenarioList& list, const std::string& where, const Descri
     const std::size_t missing_values = list.missing_values(index.keys).size();
     if (missing_values > 0)
       throw usage_error(list.path(),
-                        std::to_string(missing_values) + " scenarios without a value for index '" +
+                        count_text(missing_values, "scenario") + " without a value for index '" +
                             index.name + "'",
                         "the --robot-radius, --resolution and --sensor-range of `index create`");
   }

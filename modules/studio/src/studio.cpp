@@ -96,8 +96,7 @@ void Studio::close_list(std::size_t index) {
 void Studio::activate(std::size_t index) {
   active_ = index;
   documents_changed();
-  events_.show_status(active()->title() + ": " + std::to_string(active()->list().size()) +
-                      " scenarios");
+  events_.show_status(active()->title() + ": " + count_text(active()->list().size(), "scenario"));
 }
 
 void Studio::documents_changed() {

@@ -70,8 +70,8 @@ ListDocument& list_of(const Studio& studio, const std::string& name) {
   return *studio.documents().at(std::stoul(name) - 1);
 }
 
-std::string count_text(const Studio& studio) {
-  return std::to_string(studio.active()->selected_count()) + " scenarios of " +
+std::string selection_text(const Studio& studio) {
+  return count_text(studio.active()->selected_count(), "scenario") + " of " +
          studio.active()->title();
 }
 
@@ -79,7 +79,7 @@ FormDescription transfer_form(Studio& studio, const std::string& verb,
                               void (ListDocument::*transfer)(ListDocument&)) {
   return {verb + " to another list",
           verb,
-          count_text(studio),
+          selection_text(studio),
           {choice_field("list", "To", other_lists(studio))},
           [&studio, transfer](const FormValues& values) {
             (studio.active()->*transfer)(list_of(studio, values.at("list")));
@@ -169,7 +169,7 @@ FormDescription rename_form(Studio& studio) {
 FormDescription tag_form(Studio& studio) {
   return {"Tags",
           "Apply",
-          count_text(studio),
+          selection_text(studio),
           {text_field("add", "Add", "words, comma separated", "", false),
            text_field("remove", "Remove", "words, comma separated", "", false)},
           [&studio](const FormValues& values) {

@@ -61,7 +61,7 @@ TEST_F(SelectList, CompletesIndexesOnlyWithTheirOwnParameters) {
   EXPECT_EQ(names(where("by_density[0]")).size(), 4U);
   list_.add(sample_scenario(9));
   options_.resolution = 0.25;
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, list_.path(), {"1 scenarios", "'by_density'"},
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, list_.path(), {"1 scenario without", "'by_density'"},
                            [&] { names(where("by_density[0]")); }));
 }
 

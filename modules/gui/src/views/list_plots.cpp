@@ -2,6 +2,8 @@
 #include "views/panels.h"
 #include "widgets/drawing.h"
 
+#include <slalom/core/text.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -189,7 +191,7 @@ class ScatterPlot : public ListPlot {
   std::string y_title() const override { return with_unit(y_info_); }
   std::string remark() const override {
     if (scatter_.points().empty()) return "";
-    std::string text = std::to_string(scatter_.points().size()) + " scenarios";
+    std::string text = count_text(scatter_.points().size(), "scenario");
     if (selection_) text = std::to_string(selected_count_) + " selected of " + text;
     if (scatter_.skipped() > 0)
       text += ", " + std::to_string(scatter_.skipped()) + " without both values";
