@@ -13,8 +13,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
   using slalom::Range;
   v.option("safety_distance", safety_distance, "length", "D_s of the safety zone",
            Range::at_least(1e-3));
-  v.option("gap", gap, "length",
-           "minimum discontinuity of the free distance threat_direction a gap",
+  v.option("gap", gap, "length", "minimum discontinuity of the free distance at a gap",
            Range::at_least(1e-3));
   v.option("passable", passable, "length", "sectors with a smaller free distance are closed",
            Range::at_least(0));
