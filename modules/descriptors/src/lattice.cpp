@@ -15,10 +15,10 @@ constexpr double kSpacing = 1;  ///< m
 constexpr double kShift = 0.2360679774997897;
 
 /// Grids hold the cell size, and so the extent of the workspace, in single precision.
-constexpr double kRounding = 1e-6;
+constexpr double kSpacingRounding = 1e-6;
 
 std::vector<double> lattice_along(double low, double high, double spacing, double shift) {
-  const double count = std::max(1.0, std::floor((high - low) / spacing * (1 + kRounding)));
+  const double count = std::max(1.0, std::floor((high - low) / spacing * (1 + kSpacingRounding)));
   std::vector<double> points;
   for (double i = 0; i < count; ++i)
     for (const double side : {-shift, shift})
