@@ -161,7 +161,8 @@ TEST(RunDraws, AfterOneThatAnInterruptKillsAreNotPassedOn) {
       return draw_corridor(index);
     };
     EXPECT_FALSE(run_draws(ahead(), options_of_draws(), draw, 1000,
-                           {workers, [&] { return *drawn >= 30; }}, [&](const DrawnRun& run) {
+                           {workers, [&] { return *drawn >= 30 && received.size() >= 5; }},
+                           [&](const DrawnRun& run) {
                              received.push_back(run);
                              return true;
                            }));
