@@ -71,7 +71,7 @@ points:
   const ProgramResult result = run(command + " --skip-blocked");
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find("near: occupied goal"), std::string::npos);
-  EXPECT_NE(result.err.find("c.scenarios: 1 scenario"), std::string::npos);
+  EXPECT_NE(result.err.find("c.scenarios: 1 scenario\n"), std::string::npos);
 }
 
 TEST_F(ConvertPrograms, KeepsTagsAndDoesNotReplaceItsInput) {
