@@ -4,6 +4,7 @@
 // file. Counter `peak_MB` is the peak memory of the process so far: run benchmarks one by one
 // (--benchmark_filter).
 #include <slalom/analysis/cross_table.h>
+#include <slalom/core/random.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 
