@@ -131,6 +131,9 @@ class HolonomicMethod : public Method {
     if (!method_) throw MethodError("class " + options_.class_name + " cannot be created");
     configure();
     paths_ = complete_full_eval(*method_, static_cast<std::size_t>(options_.sectors));
+    // Classes take meters, and the unit of lengths for a meter where no path has another one.
+    method_->setTargetApproachSlowDownDistance(method_->getTargetApproachSlowDownDistance() /
+                                               options_.reference_distance);
     // CHolonomicVFF always returns speed 0 unless it slows down near the target.
     method_->enableApproachTargetSlowDown(true);
   }
@@ -173,12 +176,9 @@ class HolonomicMethod : public Method {
   std::vector<double> sector_distances(const std::vector<mrpt::math::TPoint2D>& points,
                                        double radius) const {
     const double limit = options_.reference_distance;
-    const double unseen_distance = options_.behind == SectorState::Free ? limit : 0.0;
     std::vector<double> distances = sectors_.free_distances(points, radius, limit);
-    for (std::size_t k = 0; k < distances.size(); ++k) {
-      const bool unseen = std::abs(sector_direction(k, distances.size())) > 0.5 * aperture_;
-      distances[k] = (unseen ? std::min(distances[k], unseen_distance) : distances[k]) / limit;
-    }
+    limit_unseen(distances, aperture_, options_.behind, limit);
+    for (double& distance : distances) distance /= limit;
     return distances;
   }
 

@@ -79,6 +79,22 @@ double sector_direction(std::size_t k, std::size_t n) {
   return M_PI * (-1 + 2 * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
 }
 
+void limit_unseen(std::vector<double>& distances, double aperture, UnseenSectors unseen,
+                  double limit) {
+  const std::size_t count = distances.size();
+  std::size_t first = 0;  // the outermost seen sector on the right; by symmetry that on the left
+  while (2 * first + 1 < count && std::abs(sector_direction(first, count)) > 0.5 * aperture)
+    ++first;
+  const std::size_t last = count - 1 - first;
+  const bool edge = unseen == UnseenSectors::Edge;
+  const double other = unseen == UnseenSectors::Free ? limit : limit / 6;
+  const double right = edge ? distances[first] : other, left = edge ? distances[last] : other;
+  for (std::size_t k = 0; k < first; ++k) {
+    distances[k] = std::min(distances[k], right);
+    distances[count - 1 - k] = std::min(distances[count - 1 - k], left);
+  }
+}
+
 Sectors::Sectors(std::size_t count) {
   for (std::size_t k = 0; k < count; ++k)
     directions_.push_back(unit_vector(sector_direction(k, count)));

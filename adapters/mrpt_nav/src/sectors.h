@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/mrpt_nav/holonomic_method.h>
+
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
@@ -18,6 +20,10 @@ double free_distance(const std::vector<mrpt::math::TPoint2D>& points, double dir
 
 /// Center of sector k of n: -pi + (k + 1/2) 2 pi / n, as in MRPT's holonomic methods.
 double sector_direction(std::size_t k, std::size_t n);
+
+/// Limits the free distances (m) of the sectors outside the aperture (rad) of a scan.
+void limit_unseen(std::vector<double>& distances, double aperture, UnseenSectors unseen,
+                  double limit);
 
 /// The full circle, divided evenly.
 class Sectors {

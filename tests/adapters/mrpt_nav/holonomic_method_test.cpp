@@ -124,6 +124,21 @@ TEST(HolonomicMethod, EachMrptClassAvoidsObstacles) {
   }
 }
 
+TEST(HolonomicMethod, SlowsDownAtTheDistanceToTheGoalInMeters) {
+  for (const std::string name : {"CHolonomicND", "CHolonomicFullEval"})
+    for (const std::string reference : {"2", "3", "5"}) {
+      SCOPED_TRACE(name + " " + reference);
+      const auto method =
+          load("class = " + name + "\nconfig_set = " + name +
+               ".TARGET_SLOW_APPROACHING_DISTANCE=1\nreference_distance = " + reference + "\n");
+      const auto speed_at = [&](double distance) {
+        return run(*method, room(), {1 + distance, 5}, 1).commands[0];
+      };
+      EXPECT_GT(speed_at(1.05), 0.95);
+      EXPECT_NEAR(speed_at(0.6), 0.6 * speed_at(1.05), 0.07);
+    }
+}
+
 TEST(HolonomicMethod, RotatesTowardsAGoalBehindOrBeside) {
   const World world = room();
   for (const std::string name : kClasses) {

@@ -57,6 +57,23 @@ TEST(FreeDistance, EqualsTheDistanceFoundStepwise) {
   }
 }
 
+TEST(LimitUnseen, TakesTheDistanceAtThatEdgeOfTheScan) {
+  // Twelve sectors of 30 degrees; those at -75 to 75 degrees are seen: 3 to 8.
+  const std::vector<double> seen = {9, 9, 9, 1.5, 2, 3, 3, 3, 2.5, 9, 0.4, 9};
+  std::vector<double> distances = seen;
+  limit_unseen(distances, M_PI, UnseenSectors::Edge, 3);
+  EXPECT_EQ(distances, (std::vector<double>{1.5, 1.5, 1.5, 1.5, 2, 3, 3, 3, 2.5, 2.5, 0.4, 2.5}));
+  distances = seen;
+  limit_unseen(distances, M_PI, UnseenSectors::Free, 3);
+  EXPECT_EQ(distances, (std::vector<double>{3, 3, 3, 1.5, 2, 3, 3, 3, 2.5, 3, 0.4, 3}));
+  distances = seen;
+  limit_unseen(distances, M_PI, UnseenSectors::Blocked, 3);
+  EXPECT_EQ(distances, (std::vector<double>{0.5, 0.5, 0.5, 1.5, 2, 3, 3, 3, 2.5, 0.5, 0.4, 0.5}));
+  distances = seen;
+  limit_unseen(distances, 2 * M_PI, UnseenSectors::Edge, 3);
+  EXPECT_EQ(distances, seen);
+}
+
 TEST(FreeDistance, EndsOneRadiusBeforeAPointAheadAndIgnoresOneBehind) {
   EXPECT_DOUBLE_EQ(free_distance({{2, 0}}, 0, 0.5, 8), 1.5);
   EXPECT_DOUBLE_EQ(free_distance({{2, 0}}, M_PI, 0.5, 8), 8);

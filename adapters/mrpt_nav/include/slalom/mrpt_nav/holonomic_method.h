@@ -9,9 +9,11 @@
 
 namespace slalom {
 
-enum class SectorState { Free, Blocked };
-constexpr auto enum_names(SectorState) {
-  return std::array{"free", "blocked"};
+/// The free distance in sectors that the scan does not see: that of the outermost seen sector on
+/// their side, the reference distance, or a sixth of it, which methods of forces can divide by.
+enum class UnseenSectors { Edge, Free, Blocked };
+constexpr auto enum_names(UnseenSectors) {
+  return std::array{"edge", "free", "blocked"};
 }
 
 enum class Heading { FaceMotion, Keep };
@@ -24,16 +26,16 @@ constexpr auto enum_names(Heading) {
 /// w), or to (v, vy, w) for a holonomic robot.
 struct HolonomicOptions {
   std::string class_name = "CHolonomicND";
-  std::string plugin;                      ///< an MRPT plug-in module to load first
-  std::string config;                      ///< an MRPT .ini with the section of the class
-  std::string config_set;                  ///< "SECTION.KEY=VALUE; ..." overriding it
-  int sectors = 121;                       ///< of the full circle
-  double reference_distance = 3.0;         ///< m: obstacles beyond it are ignored
-  double margin = 0.08;                    ///< m added to the robot's radius
-  SectorState behind = SectorState::Free;  ///< sectors outside the scan
-  double turn_gain = 2.0;                  ///< 1/s: w = turn_gain * direction
-  double turn_in_place = 0.8;              ///< rad: beyond it a diff_drive robot rotates in place
-  Heading turn = Heading::FaceMotion;      ///< of a holonomic robot
+  std::string plugin;                          ///< an MRPT plug-in module to load first
+  std::string config;                          ///< an MRPT .ini with the section of the class
+  std::string config_set;                      ///< "SECTION.KEY=VALUE; ..." overriding it
+  int sectors = 121;                           ///< of the full circle
+  double reference_distance = 3.0;             ///< m: obstacles beyond it are ignored
+  double margin = 0.08;                        ///< m added to the robot's radius
+  UnseenSectors behind = UnseenSectors::Edge;  ///< sectors outside the scan
+  double turn_gain = 2.0;                      ///< 1/s: w = turn_gain * direction
+  double turn_in_place = 0.8;          ///< rad: beyond it a diff_drive robot rotates in place
+  Heading turn = Heading::FaceMotion;  ///< of a holonomic robot
   double stop_margin =
       0.05;  ///< m: v is limited so that the robot can stop this far before contact
 
