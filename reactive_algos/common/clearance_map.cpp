@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/clearance_map.h"
 
+#include <algorithm>
+
 namespace reactive {
+namespace {
+
+/// An even number.
+int cells_of(double side, double resolution) {
+  return 2 * static_cast<int>(std::ceil(0.5 * side / resolution));
+}
+
+}  // namespace
 
 ClearanceMap::ClearanceMap(double half_size, double resolution, double band)
-    : band_(band),
-      frame_{resolution, 2 * static_cast<int>(std::ceil(half_size / resolution)), {}},
+    : half_size_(half_size),
+      band_(band),
+      frame_{resolution, cells_of(2 * half_size, resolution), {}},
       cells_(padded(index(0, frame_.side)) + kMaxLanes, static_cast<float>(band)) {}
 
 void ClearanceMap::build(const Point& center, const std::vector<Point>& points) {
   // Cells are aligned to the frame while the square moves, so that values do not fluctuate.
+  frame_.side = cells_of(2 * half_size_, frame_.resolution);
   const double half = 0.5 * frame_.side;
   frame_.origin = {(std::floor(center.x / frame_.resolution) - half) * frame_.resolution,
                    (std::floor(center.y / frame_.resolution) - half) * frame_.resolution};
+  fill_clearances(frame_, band_, points, cells_);
+}
+
+void ClearanceMap::build(const Point& low, double side, const std::vector<Point>& points) {
+  frame_.side = cells_of(std::min(side, 2 * half_size_), frame_.resolution);
+  frame_.origin = {std::floor(low.x / frame_.resolution) * frame_.resolution,
+                   std::floor(low.y / frame_.resolution) * frame_.resolution};
   fill_clearances(frame_, band_, points, cells_);
 }
 

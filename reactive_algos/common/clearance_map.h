@@ -17,6 +17,8 @@ class ClearanceMap {
   ClearanceMap(double half_size, double resolution, double band);
 
   void build(const Point& center, const std::vector<Point>& points);
+  /// The same in a square from `low` with this side (m), if that is less.
+  void build(const Point& low, double side, const std::vector<Point>& points);
 
   double at(const Point& p) const;  ///< m; `band` outside the square
   /// The same at `count` positions (x, y). Arrays have padded(count) elements.
@@ -40,7 +42,7 @@ class ClearanceMap {
   bool cell_at(const Point& p, int& x, int& y) const;  ///< false outside the square
 
  private:
-  double band_;
+  double half_size_, band_;
   GridFrame frame_;
   std::vector<float> cells_;
 };

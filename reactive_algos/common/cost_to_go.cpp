@@ -55,7 +55,7 @@ void CostToGo::begin(const ClearanceMap& map) {
   if (front_.side != map.side() || resolution_ != map.resolution()) {
     front_.resize(map.side());
     resolution_ = map.resolution();
-    target_ = kNoCell;
+    center_ = kNoCell;
   }
   front_.clear();
 }
@@ -95,14 +95,23 @@ void CostToGo::open_around(const Point& robot) {
 
 /// The cost of a path in free space to the cells within reach of the robot, measured as such a
 /// path: 1.08 is more than the ratio of its length to the distance; 3 cells are for interpolation.
+/// With a larger reach it also holds while the robot moves a little.
 void CostToGo::bound_ahead(const Point& robot) {
+  constexpr int kMoved = 10;  // cells
   int robot_x = 0, robot_y = 0;
   const bool inside = map_->cell_at(robot, robot_x, robot_y);
-  if (inside && map_->index(robot_x, robot_y) == target_) return;
-  const int side = map_->side(), last = side - 1;
   target_ = inside ? map_->index(robot_x, robot_y) : kNoCell;
+  const int side = map_->side(), last = side - 1;
+  if (inside && center_ != kNoCell) {
+    const auto cells = static_cast<std::size_t>(side);
+    const int dx = std::abs(static_cast<int>(center_ % cells) - robot_x);
+    const int dy = std::abs(static_cast<int>(center_ / cells) - robot_y);
+    if (std::max(dx, dy) <= kMoved) return;
+  }
+  center_ = target_;
   std::fill(front_.ahead.begin(), front_.ahead.end(), Wavefront::kBorder);
-  const double disc = Wavefront::kBucketWidth * (1.08 * reach_ / map_->resolution() + 3);
+  const double disc =
+      Wavefront::kBucketWidth * (1.08 * reach_ / map_->resolution() + 3 + 1.4 * kMoved);
   const double everywhere = 1.0 * Wavefront::kDiagonal * kUnit * side;
   const auto within = static_cast<std::int32_t>(inside ? std::min(disc, everywhere) : everywhere);
   for (int y = 1; y < last; ++y)

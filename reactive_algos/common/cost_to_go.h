@@ -70,7 +70,8 @@ class CostToGo {
   Wavefront front_;               ///< costs in hundredths of a cell, weights in tenths
   std::size_t end_ = 0;           ///< the first bucket beyond the slack
   double resolution_ = 0;         ///< m, of the wavefront's cells
-  std::size_t target_ = kNoCell;  ///< the robot's cell, for which `front_.ahead` was computed
+  std::size_t target_ = kNoCell;  ///< the robot's cell
+  std::size_t center_ = kNoCell;  ///< the cell for which `front_.ahead` was computed
 };
 
 /// Whether a disc of `clearance` can move straight from a to b.

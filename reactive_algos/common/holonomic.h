@@ -15,8 +15,8 @@
 namespace reactive {
 
 /// MRPT holonomic method for an algorithm `A` with `Parameters`, whose `visit()` declares the
-/// options (with `target_slow_down`), and `decide(sectors, target)`. Its .ini section has their
-/// keys; an invalid value throws slalom::Error.
+/// options (with `target_slow_down`, in meters as MRPT's), and `decide(sectors, target)`. Its .ini
+/// section has their keys; an invalid value throws slalom::Error.
 template <typename A>
 class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
  public:
@@ -47,7 +47,9 @@ class Holonomic : public mrpt::nav::CAbstractHolonomicReactiveMethod {
   }
 
   void navigate(const NavInput& in, NavOutput& out) override {
-    Sectors sectors{in.obstacles, in.maxObstacleDist};
+    const auto* paths = getAssociatedPTG();
+    const double meter = paths == nullptr ? 1 : 1 / paths->getRefDistance();
+    const Sectors sectors{in.obstacles, in.maxObstacleDist, meter};
     if (sectors.free_distances.empty() || in.targets.empty())
       throw std::invalid_argument("no obstacle distances or no target");
     const auto& target = in.targets.back();

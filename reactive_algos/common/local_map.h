@@ -27,7 +27,8 @@ inline double clearance_band(const Robot& robot, double margin, double comfort,
   return robot.radius + std::max(margin + kCheckMargin, comfort) + 1.5 * resolution;
 }
 
-/// Local obstacle map: points of past scans in the odometry frame, and the distances to them.
+/// Local obstacle map: points of past scans in the odometry frame, and the distances to them in a
+/// square that has all of them and the goal, as far as it may.
 class LocalMap {
  public:
   LocalMap(const MapOptions& options, const Robot& robot);
@@ -39,6 +40,7 @@ class LocalMap {
 
  private:
   Robot robot_;
+  double band_;
   RollingMemory memory_;
   ClearanceMap clearance_;
 };

@@ -17,7 +17,7 @@ double Sectors::min_free_distance() const {
 Sectors Sectors::ahead(double field_of_view) const {
   Sectors result = *this;
   for (std::size_t k = 0; k < count(); ++k)
-    if (std::abs(direction(k)) > 0.5 * field_of_view) result.free_distances[k] = 0;
+    if (std::abs(direction(k)) > 0.5 * field_of_view) result.free_distances[k] = kUnseen;
   return result;
 }
 

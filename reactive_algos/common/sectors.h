@@ -14,6 +14,7 @@ namespace reactive {
 struct Sectors {
   std::vector<double> free_distances;
   double limit = 1;
+  double meter = 1;  ///< in the same unit; 1 if the caller converts meters
 
   std::size_t count() const { return free_distances.size(); }
   double width() const { return 2 * M_PI / static_cast<double>(count()); }
@@ -21,8 +22,9 @@ struct Sectors {
   double direction(std::size_t k) const { return -M_PI + (static_cast<double>(k) + 0.5) * width(); }
   std::size_t sector_of(double direction) const;
   double free_distance(double direction) const { return free_distances[sector_of(direction)]; }
-  double min_free_distance() const;  ///< over all sectors
-  /// Returns the sectors with those outside `field_of_view` closed.
+  double min_free_distance() const;      ///< over all sectors
+  static constexpr double kUnseen = -1;  ///< a free distance, closed
+  /// Returns the sectors with those outside `field_of_view` unseen.
   Sectors ahead(double field_of_view) const;
 };
 

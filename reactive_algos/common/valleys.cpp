@@ -16,6 +16,14 @@ bool gap_after(const Sectors& sectors, std::size_t k, double gap, double passabl
   return std::abs(next - here) > gap || (here < passable) != (next < passable);
 }
 
+/// Whether the free distance rises to sector k from its neighbor. The border of what is seen is the
+/// end of an obstacle that closes only with a discontinuity, as it would be inside.
+bool rises(const Sectors& sectors, std::size_t neighbor, std::size_t k, double gap,
+           double passable) {
+  const double there = sectors.free_distances[neighbor];
+  return sectors.free_distances[k] > (there == Sectors::kUnseen ? passable + gap : there);
+}
+
 /// Angle between the target and the closest rising end of the valley.
 double end_distance(const Valley& valley, double target, bool& low) {
   const double at_low = valley.rises_low ? std::abs(wrapped(valley.span.low - target)) : HUGE_VAL;
@@ -41,8 +49,8 @@ std::vector<Valley> find_valleys(const Sectors& sectors, double gap, double pass
     const std::size_t before = gaps[i], last = gaps[(i + 1) % gaps.size()];
     const SectorRun run{(before + 1) % n, (last + n - before - 1) % n + 1};
     if (sectors.free_distances[run.first] < passable) continue;
-    const bool rises_low = sectors.free_distances[run.first] > sectors.free_distances[before];
-    const bool rises_high = sectors.free_distances[last] > sectors.free_distances[(last + 1) % n];
+    const bool rises_low = rises(sectors, before, run.first, gap, passable);
+    const bool rises_high = rises(sectors, (last + 1) % n, last, gap, passable);
     if (rises_low || rises_high)
       valleys.push_back({opening_of(sectors, run), rises_low, rises_high});
   }

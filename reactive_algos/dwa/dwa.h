@@ -22,7 +22,7 @@ struct Parameters {
   int v_samples = 13;          ///< linear velocities in the window
   int w_samples = 41;          ///< angular velocities in the window
   double turn_in_place = 1.6;  ///< rad: beyond this bearing of the path the robot rotates in place
-  double memory = 6;           ///< half the side length of the local map
+  double memory = 15;          ///< half the side length of the local map
   bool guidance = false;       ///< along the navigation function of the map, not to the goal
   double look_ahead = 1.5;     ///< with guidance: look-ahead distance along the path
 

@@ -11,7 +11,7 @@ using namespace reactive;
 
 namespace {
 
-constexpr double kGlobalHalfSize = 10;  // m, of the global costmap without a known map
+constexpr double kGlobalHalfSize = 15;  // m, of the global costmap without a known map
 
 /// Replaces limits of 0 by those of the robot, and reduces others to these.
 Parameters limited(Parameters p, const Robot& robot) {

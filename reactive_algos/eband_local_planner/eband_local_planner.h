@@ -14,7 +14,7 @@ struct Parameters : BandParameters, ControllerParameters {
   double planner_frequency = 2;     ///< Hz; 0: a new path only if the band snaps or ends
   double footprint_padding = 0.05;  ///< added to the robot's radius
   double comfort = 0.3;             ///< clearance beyond which paths do not cost more
-  double memory = 6;                ///< half the side length of the local map
+  double memory = 15;               ///< half the side length of the local map
   reactive::PathMap map = reactive::PathMap::Sensed;
 
   void visit(slalom::OptionVisitor& v);

@@ -97,9 +97,15 @@ Twist decide(const std::vector<double>& ranges, double goal_x, double goal_y,
   const double goal_angle = slalom::math::atan2(goal_y, goal_x);
   const double goal_distance = slalom::math::hypot(goal_x, goal_y);
   const double enlarged = robot.radius + parameters.margin;
+  constexpr double kShorter = 0.8;
   const double seen = 0.999 * robot.max_range;  // a ray without an obstacle has max_range
-  const double horizon = std::min({parameters.look_ahead, goal_distance + robot.radius, seen});
-  const std::vector<Gap> gaps = find_gaps(ranges, robot.aperture, enlarged, horizon);
+  double horizon = std::min({parameters.look_ahead, goal_distance + robot.radius, seen});
+  std::vector<Gap> gaps = find_gaps(ranges, robot.aperture, enlarged, horizon);
+  // A look-ahead at which no direction is free is too long.
+  while (gaps.empty() && horizon * kShorter > 2 * enlarged) {
+    horizon *= kShorter;
+    gaps = find_gaps(ranges, robot.aperture, enlarged, horizon);
+  }
   const Gap* gap = choose_gap(gaps, goal_angle, parameters.goal_weight);
   if (gap == nullptr) {
     if (last_side == 0) last_side = goal_angle >= 0 ? 1 : -1;

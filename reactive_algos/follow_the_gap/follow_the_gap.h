@@ -19,7 +19,7 @@ namespace follow_the_gap {
 struct Parameters {
   double alpha = 1.0;          ///< m: weight of the gap against the goal, Eq. (8)
   double margin = 0.1;         ///< m added to the robot's radius when obstacles are enlarged
-  double look_ahead = 2.5;     ///< m: obstacles beyond this distance do not close gaps
+  double look_ahead = 2.5;     ///< m: obstacles beyond do not close gaps; less while there is none
   double goal_weight = 0.6;    ///< penalty of a gap: twice this per radian from the goal
   double turn_gain = 2.0;      ///< 1/s: w = turn_gain * heading error
   double turn_in_place = 1.0;  ///< rad: beyond this heading error the robot rotates in place
@@ -54,8 +54,8 @@ std::vector<Gap> find_gaps(const std::vector<double>& ranges, double aperture, d
 /// null if there is none.
 const Gap* choose_gap(const std::vector<Gap>& gaps, double goal_angle, double goal_weight);
 
-/// Eq. (8): the weighted mean of gap center and goal angle, with weight alpha / nearest obstacle of
-/// the gap, clamped to the gap.
+/// Eq. (8): the weighted mean of gap center and goal angle, with weight alpha / distance of the
+/// nearest obstacle, clamped to the gap.
 double final_heading(const Gap& gap, double goal_angle, double nearest, double alpha);
 
 /// Returns the distance (m) that a robot of `radius` can move straight ahead before contact.

@@ -21,7 +21,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            Range::between(0.1, 2 * M_PI));
   v.option("slow_distance", slow_distance, "length",
            "below this free distance the robot slows down", Range::at_least(0));
-  v.option("target_slow_down", target_slow_down, "length",
+  v.option("target_slow_down", target_slow_down, "m",
            "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
@@ -70,8 +70,9 @@ Decision FollowTheGap::decide(const Sectors& sectors, const Point& target) {
   if (nearest < open)
     direction = final_direction(gap_center(sectors, best), goal, nearest, parameters.alpha);
   direction = opening_of(sectors, best).nearest_to(direction, 0);
-  return {direction, speed_fraction(sectors.free_distance(direction), target_distance,
-                                    parameters.slow_distance, parameters.target_slow_down)};
+  return {direction,
+          speed_fraction(sectors.free_distance(direction), target_distance,
+                         parameters.slow_distance, parameters.target_slow_down * sectors.meter)};
 }
 
 }  // namespace follow_the_gap_holonomic

@@ -17,7 +17,7 @@ struct Parameters {
                                    ///< 0: the widest gap, as in the publication
   double field_of_view = 3.1416;   ///< rad: gaps outside it are ignored
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
-  double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+  double target_slow_down = 0.45;  ///< m: below this distance to the target the robot slows down
 
   void visit(slalom::OptionVisitor& v);
 };

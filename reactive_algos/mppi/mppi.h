@@ -26,7 +26,7 @@ struct Parameters {
   double obstacle_weight = 1.5;  ///< path length (m) equivalent to one second at minimum clearance
   double goal_weight = 4.0;      ///< weight of the remaining distance at the end of a rollout
   double turn_in_place = 1.6;  ///< rad: beyond this bearing of the path the robot rotates in place
-  double memory = 6;           ///< half the side length of the local map
+  double memory = 15;          ///< half the side length of the local map
 
   void visit(slalom::OptionVisitor& v);
 };

@@ -48,7 +48,8 @@ class Batch {
         turns_(padded(size)),
         clearances_(padded(size)),
         costs_(size),
-        squares_(size, kCollisionCost * kCollisionCost),
+        nearest_(size, kCollisionCost),
+        sums_(size),
         collided_(size) {
     poses_.assign(size, start.pose);
   }
@@ -68,7 +69,8 @@ class Batch {
   std::size_t size_;
   PoseBatch poses_;
   std::vector<double> v_, w_, lengths_, turns_, clearances_, costs_;
-  std::vector<double> squares_;  ///< of the closest approach to the goal
+  std::vector<double> nearest_, sums_;  ///< closest approach to the goal until now; its sum
+  double steps_ = 0;
   std::vector<char> collided_;
 };
 
@@ -114,8 +116,10 @@ void Batch::add_costs(const Twist& mean, const double* noise_v, const double* no
 void Batch::approach(const Point& goal) {
   for (std::size_t k = 0; k < size_; ++k) {
     const double dx = poses_.x[k] - goal.x, dy = poses_.y[k] - goal.y;
-    squares_[k] = std::min(squares_[k], dx * dx + dy * dy);
+    nearest_[k] = std::min(nearest_[k], std::sqrt(dx * dx + dy * dy));
+    sums_[k] += nearest_[k];
   }
+  ++steps_;
 }
 
 double Batch::remaining_distance(std::size_t k, const Waypoint& target,
@@ -130,11 +134,12 @@ double Batch::remaining_distance(std::size_t k, const Waypoint& target,
              : std::min(kCollisionCost, cost_to_go.at(end) + rule_.look_ahead);
 }
 
-/// If the goal is visible, the closest approach counts instead of the end of the rollout.
+/// If the goal is visible, the closest approach counts instead of the end of the rollout, and the
+/// earlier the better: by its mean over time, half of the way at constant speed.
 std::vector<double> Batch::costs_at_end(const Waypoint& target, CostToGo& cost_to_go) {
   for (std::size_t k = 0; k < size_; ++k)
     if (!collided_[k])
-      costs_[k] += rule_.goal_weight * (target.is_goal ? std::sqrt(squares_[k])
+      costs_[k] += rule_.goal_weight * (target.is_goal ? 2 * sums_[k] / steps_
                                                        : remaining_distance(k, target, cost_to_go));
   return std::move(costs_);
 }

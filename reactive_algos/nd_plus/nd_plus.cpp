@@ -23,7 +23,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            Range::between(0.1, 2 * M_PI));
   v.option("slow_distance", slow_distance, "length",
            "below this free distance the robot slows down", Range::at_least(0));
-  v.option("target_slow_down", target_slow_down, "length",
+  v.option("target_slow_down", target_slow_down, "m",
            "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
@@ -118,8 +118,9 @@ Decision NdPlus::decide(const Sectors& sectors, const Point& target) {
   const double nearest = std::min(threats.left_distance, threats.right_distance);
   const double safety = nearest / parameters.safety_distance;
   const double turned = std::max(0.0, 1 - std::abs(direction) / (0.5 * M_PI));
-  const double free = speed_fraction(sectors.free_distance(direction), target_distance,
-                                     parameters.slow_distance, parameters.target_slow_down);
+  const double free =
+      speed_fraction(sectors.free_distance(direction), target_distance, parameters.slow_distance,
+                     parameters.target_slow_down * sectors.meter);
   const bool low = now == Situation::Lsgr || now == Situation::Ls1 || now == Situation::Ls2;
   return {direction,
           low ? std::max(kMinSpeedFraction, std::min(free, std::max(0.3, safety) * turned)) : free};

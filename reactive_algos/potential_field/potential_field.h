@@ -12,10 +12,10 @@ namespace potential_field {
 /// Lengths in the unit of the sectors: with the adapter mrpt_holonomic, reference distances.
 struct Parameters {
   double attraction = 1.0;         ///< force towards the goal
-  double repulsion = 0.004;        ///< eta, of the force from an obstacle
+  double clearance = 0.05;         ///< where the force of an obstacle equals the attraction
   double influence = 0.25;         ///< rho_0: obstacles farther away exert no force
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
-  double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+  double target_slow_down = 0.45;  ///< m: below this distance to the target the robot slows down
 
   void visit(slalom::OptionVisitor& v);
 };
@@ -23,6 +23,9 @@ struct Parameters {
 /// The attraction: a force of constant magnitude towards the target, as follows from a velocity
 /// limit (section on joint and velocity limits: the robot moves to the goal at maximum speed).
 reactive::Point attraction(const reactive::Point& target, double magnitude);
+
+/// eta: the force of an obstacle at the wished clearance equals the attraction.
+double repulsion_gain(const Parameters& parameters);
 
 /// FIRAS: eta (1 / rho - 1 / rho_0) / rho^2, directed away from the obstacle; 0 beyond rho_0.
 double repulsion(double distance, double eta, double influence);
@@ -36,7 +39,8 @@ class PotentialField {
   using Parameters = potential_field::Parameters;
 
   PotentialField() = default;
-  explicit PotentialField(const Parameters& chosen) : parameters(chosen) {}
+  /// Throws slalom::Error if the clearance is not below the influence.
+  explicit PotentialField(const Parameters& chosen);
   reactive::Decision decide(const reactive::Sectors& sectors, const reactive::Point& target);
 
   Parameters parameters;

@@ -28,7 +28,7 @@ struct Parameters {
   double rotate_to_heading_min_angle = 0.785;  ///< rad: beyond this bearing it rotates in place
   double margin = 0.04;                        ///< added to the robot's radius
   double comfort = 0.3;                        ///< clearance beyond which paths do not cost more
-  double memory = 6;                           ///< half the side length of the local map
+  double memory = 15;                          ///< half the side length of the local map
 
   void visit(slalom::OptionVisitor& v);
 };

@@ -26,7 +26,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            Range::between(0.1, 2 * M_PI));
   v.option("slow_distance", slow_distance, "length",
            "below this free distance the robot slows down", Range::at_least(0));
-  v.option("target_slow_down", target_slow_down, "length",
+  v.option("target_slow_down", target_slow_down, "m",
            "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
@@ -64,8 +64,9 @@ Decision SmoothNd::decide(const Sectors& sectors, const Point& target) {
   const double direction =
       wrapped(desired + deflection(sectors, desired, parameters.safety_distance));
   const double ahead = std::max(0.0, 1 - std::abs(direction) / parameters.slow_angle);
-  const double free = speed_fraction(sectors.free_distance(direction), target_distance,
-                                     parameters.slow_distance, parameters.target_slow_down);
+  const double free =
+      speed_fraction(sectors.free_distance(direction), target_distance, parameters.slow_distance,
+                     parameters.target_slow_down * sectors.meter);
   return {direction, std::max(kMinSpeedFraction, std::min(free, ahead + kMinSpeedFraction))};
 }
 

@@ -19,7 +19,7 @@ struct Parameters {
   double slow_angle = 1.57;        ///< rad: heading deviation at which the speed is minimal
   double field_of_view = 3.1416;   ///< rad: valleys outside it are ignored
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
-  double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+  double target_slow_down = 0.45;  ///< m: below this distance to the target the robot slows down
 
   void visit(slalom::OptionVisitor& v);
 };

@@ -209,11 +209,15 @@ Twist TrajectoryRollout::best(const Observation& observation, const Waypoint& ta
   double best_cost = HUGE_VAL, latest_contact = -1;
   for (std::size_t i = 0; i < rollouts.size(); ++i) {
     const Twist twist = {desired.v[i / desired.w.size()], desired.w[i % desired.w.size()]};
-    // If all trajectories collide, brake on the one with the latest contact; evade a mover on it.
+    // If all trajectories collide, it evades a mover on the one with the latest contact, brakes on
+    // the arc that it is on, or turns.
     if (rollouts[i].collides) {
       if (best_cost < HUGE_VAL || rollouts[i].until_contact <= latest_contact) continue;
       latest_contact = rollouts[i].until_contact;
-      best = {rollouts[i].meets_mover ? twist.v : 0, twist.w};
+      best = rollouts[i].meets_mover
+                 ? twist
+                 : brake_on_arc(observation.measured, robot_, task_.control_period)
+                       .value_or(Twist{0, twist.w});
       continue;
     }
     const double value = cost(rollouts[i], twist, target);

@@ -25,7 +25,7 @@ struct Parameters {
   int v_samples = 8;           ///< linear velocities
   int w_samples = 25;          ///< angular velocities
   double turn_in_place = 1.3;  ///< rad: beyond this bearing of the path the robot rotates in place
-  double memory = 6;           ///< half the side length of the local map
+  double memory = 15;          ///< half the side length of the local map
   double look_ahead = 1.5;     ///< length of the path that Pdist is measured from
 
   void visit(slalom::OptionVisitor& v);

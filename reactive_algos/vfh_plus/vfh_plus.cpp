@@ -25,7 +25,7 @@ void Parameters::visit(slalom::OptionVisitor& v) {
            Range::at_least(0));
   v.option("slow_distance", slow_distance, "length",
            "below this free distance the robot slows down", Range::at_least(0));
-  v.option("target_slow_down", target_slow_down, "length",
+  v.option("target_slow_down", target_slow_down, "m",
            "below this distance to the target the robot slows down", Range::at_least(0));
 }
 
@@ -83,12 +83,13 @@ Decision VfhPlus::decide(const Sectors& sectors, const Point& target) {
       best_cost = value;
       best = candidate;
     }
-  if (best_cost == HUGE_VAL) return {previous_, 0};
+  if (best_cost == HUGE_VAL) return search_.next(target_direction);
+  search_.reset();
   previous_ = best;
   const double free_distance =
       std::min(sectors.free_distance(best), sectors.free_distance(0.5 * best));
   return {best, speed_fraction(free_distance, target_distance, parameters.slow_distance,
-                               parameters.target_slow_down)};
+                               parameters.target_slow_down * sectors.meter)};
 }
 
 }  // namespace vfh_plus

@@ -22,7 +22,7 @@ struct Parameters {
   double heading_weight = 2;       ///< mu_2
   double previous_weight = 2;      ///< mu_3
   double slow_distance = 0.3;      ///< below this free distance the robot slows down
-  double target_slow_down = 0.15;  ///< below this distance to the target the robot slows down
+  double target_slow_down = 0.45;  ///< m: below this distance to the target the robot slows down
 
   void visit(slalom::OptionVisitor& v);
 };
@@ -58,6 +58,7 @@ class VfhPlus {
 
   std::vector<char> blocked_;
   double previous_ = 0;
+  reactive::SearchTurn search_;
 };
 
 }  // namespace vfh_plus

@@ -152,6 +152,13 @@ TEST(Decide, StopsAndRotatesInPlaceWhenBlocked) {
   EXPECT_EQ(twist.w, Robot{}.max_w);
 }
 
+TEST(Decide, LooksLessFarAheadWhereNothingIsFreeThatFar) {
+  // A corner of 2 m x 2 m: no direction is free for 2.5 m, many are for 1.6 m.
+  const std::vector<Wall> corner = {{2, -8, 2, 2}, {-8, 2, 2, 2}, {-8, -2, 2, -2}};
+  const Twist twist = decide_once(corner, 6, 0);
+  EXPECT_GT(twist.v, 0);
+}
+
 TEST(Decide, KeepsItsSideWhileBlocked) {
   const std::vector<Wall> box = {{0.5, -0.5, 0.5, 0.5}, {-1, 0.5, 0.5, 0.5}, {-1, -0.5, 0.5, -0.5}};
   int last_side = 0;

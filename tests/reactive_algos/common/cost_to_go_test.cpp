@@ -32,13 +32,14 @@ TEST(CostToGo, IsThePathLengthInFreeSpace) {
 }
 
 TEST(CostToGo, IsThatToTheClosestOfSeveralGoals) {
-  const LocalMap map = map_of({{1.5, -1, 1.5, 1}});
+  ClearanceMap map(6, 0.05, 1);
+  map.build({0, 0}, map_of({{1.5, -1, 1.5, 1}}).points());
   const std::vector<Point> goals = {{3.01, 0.02}, {-2.01, 1.02}, {40, 0}};
   CostToGo both;
-  both.compute(map.clearance(), goals, {0, 0}, {0.3, 0.5, 2}, 100);
+  both.compute(map, goals, {0, 0}, {0.3, 0.5, 2}, 100);
   CostToGo first, second;
-  first.compute(map.clearance(), goals[0], {0, 0}, {0.3, 0.5, 2}, 100);
-  second.compute(map.clearance(), goals[1], {0, 0}, {0.3, 0.5, 2}, 100);
+  first.compute(map, goals[0], {0, 0}, {0.3, 0.5, 2}, 100);
+  second.compute(map, goals[1], {0, 0}, {0.3, 0.5, 2}, 100);
   // At cell centers, where nothing is interpolated.
   for (double x = -3.025; x < 4; x += 0.5)
     for (double y = -2.025; y < 2; y += 0.5)

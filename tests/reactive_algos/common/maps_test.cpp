@@ -87,6 +87,24 @@ TEST(ClearanceBand, DoesNotChangeValuesBelowTheComfort) {
   EXPECT_GT(below, 1000);
 }
 
+TEST(LocalMap, HasAllThatIsSeenAndTheGoalAndNoMore) {
+  // The robot at the origin; a wall 3 m ahead, the goal 5 m to the left.
+  const Observation observation = observe({{3, -1, 3, 1}}, {0, 5});
+  LocalMap map({15, 0.6}, {}), close({4, 0.6}, {});
+  map.update(observation);
+  close.update(observation);
+  const auto at = [](const LocalMap& one, const Point& p) { return one.clearance().at(p); };
+  EXPECT_NEAR(at(map, {2.8, 0}), 0.2, 0.02);
+  int x = 0, y = 0;
+  EXPECT_TRUE(map.clearance().cell_at({0, 6}, x, y)) << "1 m behind the goal";
+  EXPECT_TRUE(map.clearance().cell_at({4, 0}, x, y));
+  const double side = map.clearance().side() * map.clearance().resolution();
+  EXPECT_LE(side, 5 + 1 + 2 * 1.6 + 3) << "a robot, a goal and what is around, in steps";
+  EXPECT_NEAR(close.clearance().side() * close.clearance().resolution(), 8, 1e-9);
+  for (double p = -3; p < 3.5; p += 0.21)
+    EXPECT_NEAR(at(map, {p, 0.3 * p}), at(close, {p, 0.3 * p}), 1e-6) << p;
+}
+
 TEST(LineIsFree, DetectsPostsBesideIt) {
   ClearanceMap map(4, 0.05, 0.8);
   map.build({0, 0}, {{1, 0.3}});
@@ -100,6 +118,14 @@ TEST(LocalPlanner, SelectsAVisibleGoal) {
   const Waypoint waypoint = planner.find(map, {0, 0, 0}, {2, 1}, 5);
   EXPECT_TRUE(waypoint.is_goal);
   EXPECT_DOUBLE_EQ(waypoint.position.x, 2);
+}
+
+TEST(LocalPlanner, SeesItsPathAlsoCloserToAWallThanPathsLead) {
+  // 0.28 m beside a wall; paths keep 0.31 m, so that the line along the wall is not one of them.
+  LocalMap map = map_of({{-3, -0.28, 6, -0.28}, {2, 0.5, 2, 5}});
+  LocalPlanner planner({0.31, 0.5, 2}, 0.26, 2);
+  const Waypoint waypoint = planner.find(map, {0, 0, 0}, {4, 0}, 5);
+  EXPECT_GT(distance(waypoint.position, {0, 0}), 1);
 }
 
 TEST(LocalPlanner, SelectsTheEndOfABlockingWall) {

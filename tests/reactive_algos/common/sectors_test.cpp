@@ -63,6 +63,20 @@ TEST(FindValleys, AStepIsAValleyWithOneRisingEnd) {
   }
 }
 
+TEST(FindValleys, EndAtTheBorderOfTheFieldOfViewOnlyWithADiscontinuity) {
+  // A wall seen up to 90 degrees on both sides; free from -30 to 10 degrees.
+  const auto ahead = [](double wall) {
+    return sectors_with({{10, 180, wall}, {-180, -30, wall}}).ahead(M_PI);
+  };
+  const auto valleys = find_valleys(ahead(0.34), 0.2, 0.15);
+  ASSERT_EQ(valleys.size(), 1U);
+  EXPECT_NEAR(valleys[0].span.low, -30 * kDegree, 1e-9);
+  EXPECT_NEAR(valleys[0].span.high(), 9 * kDegree, 1e-9);
+  EXPECT_EQ(find_valleys(ahead(0.36), 0.2, 0.15).size(), 3U);
+  // A border at which nothing is seen may lead around.
+  EXPECT_EQ(find_valleys(sectors_with({{-180, 60, 0.34}}).ahead(M_PI), 0.2, 0.15).size(), 1U);
+}
+
 TEST(ChooseValley, SelectsTheOneClosestToTheTarget) {
   const Sectors sectors = sectors_with({{-30, 30, 0.2}, {60, 180, 0.2}, {-180, -120, 0.2}});
   const auto valleys = find_valleys(sectors, 0.2, 0.05);

@@ -87,7 +87,7 @@ double cost_of(std::size_t k, const CostRule& rule, const Observation& start,
   const Robot robot;
   Pose pose = start.pose;
   Twist now = start.measured;
-  double cost = 0, nearest = 100;
+  double cost = 0, nearest = 100, sum = 0;
   for (std::size_t t = 0; t < plan.size(); ++t) {
     const Twist change = {k == Braking ? -plan[t].v : noise.v(t)[k], noise.w(t)[k]};
     Twist desired = clamp_to_limits({plan[t].v + change.v, plan[t].w + change.w}, robot);
@@ -96,6 +96,7 @@ double cost_of(std::size_t k, const CostRule& rule, const Observation& start,
     pose = integrate(pose, {0.5 * (now.v + next.v), 0.5 * (now.w + next.w)}, rule.period);
     now = next;
     nearest = std::min(nearest, distance({pose.x, pose.y}, target.position));
+    sum += nearest;
     const double gap = map.at({pose.x, pose.y}) - rule.radius;
     if (gap < 0)
       return cost + 100 * (2 - static_cast<double>(t) / static_cast<double>(plan.size()));
@@ -103,7 +104,7 @@ double cost_of(std::size_t k, const CostRule& rule, const Observation& start,
     cost += rule.obstacle_weight * rule.period * deficit * deficit +
             rule.control_v * plan[t].v * change.v + rule.control_w * plan[t].w * change.w;
   }
-  if (target.is_goal) return cost + rule.goal_weight * nearest;
+  if (target.is_goal) return cost + rule.goal_weight * 2 * sum / static_cast<double>(plan.size());
   const double ahead = cost_to_go.at(to_world(pose, {rule.look_ahead, 0}));
   const double end = cost_to_go.at({pose.x, pose.y}) + rule.look_ahead;
   return cost + rule.goal_weight * (ahead < CostToGo::kUnreached ? ahead : std::min(100.0, end));
@@ -136,6 +137,25 @@ TEST(RolloutCosts, AreThoseOfEachRolloutAlone) {
     EXPECT_GT(*std::max_element(costs.begin(), costs.end()), 100);  // some collide, some do not
     EXPECT_LT(*std::min_element(costs.begin(), costs.end()), 100);
   }
+}
+
+TEST(RolloutCosts, AreLessForWhoReachesAVisibleGoalEarlier) {
+  const LocalMap map = map_of({});
+  CostToGo cost_to_go;
+  const auto cost = [&](double v) {
+    const std::vector<Twist> plan(20, {v, 0});
+    Noise none;
+    none.draw(1, plan.size(), 1, 0, 0);
+    CostRule rule;
+    rule.top_speed = 1;
+    return rollout_costs(rule, {}, observe({}, {0.2, 0}), plan, none, map.clearance(),
+                         {{0.2, 0}, true, true}, cost_to_go)
+        .front();
+  };
+  // All but the last come within a centimeter of the goal in the time.
+  EXPECT_LT(cost(0.4), cost(0.2));
+  EXPECT_LT(cost(0.2), cost(0.11));
+  EXPECT_LT(cost(0.11), cost(0));
 }
 
 TEST(Mppi, MovesToAGoalInFreeSpace) {

@@ -20,10 +20,10 @@ TEST(RepulsionOf, IsOneForcePerObstacleOfAnyWidth) {
   const Parameters parameters;
   const Point narrow = repulsion_of(sectors_with({{-3, 3, 0.2}}), parameters);
   const Point wide = repulsion_of(sectors_with({{-60, 60, 0.2}, {-3, 3, 0.15}}), parameters);
-  const double expected = repulsion(0.15, parameters.repulsion, parameters.influence);
+  const double eta = repulsion_gain(parameters);
+  const double expected = repulsion(0.15, eta, parameters.influence);
   EXPECT_NEAR(std::hypot(wide.x, wide.y), expected, 1e-9);
-  EXPECT_NEAR(std::hypot(narrow.x, narrow.y),
-              repulsion(0.2, parameters.repulsion, parameters.influence), 1e-9);
+  EXPECT_NEAR(std::hypot(narrow.x, narrow.y), repulsion(0.2, eta, parameters.influence), 1e-9);
   EXPECT_LT(narrow.x, 0);
 }
 
@@ -38,17 +38,16 @@ TEST(PotentialField, IsRepelledByAnObstacleBeside) {
 }
 
 TEST(PotentialField, StopsWhereAnObstacleAheadBalancesTheGoal) {
-  // eta (1 / rho - 1 / rho_0) / rho^2 = 1 somewhere between: bisect for rho.
-  const Parameters parameters;
-  double low = 0.01, high = parameters.influence;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (repulsion(middle, parameters.repulsion, parameters.influence) > 1 ? low : high) = middle;
-  }
   Sectors sectors = sectors_with({});
-  sectors.free_distances[60] = low;  // centered 1.5 degrees to the left
+  sectors.free_distances[60] = Parameters().clearance;  // centered 1.5 degrees to the left
   const Decision decision = PotentialField().decide(sectors, target_at(1.5));
   EXPECT_EQ(decision.speed, 0);
+  Parameters parameters;
+  parameters.attraction = 3;
+  parameters.clearance = 0.1;
+  EXPECT_NEAR(repulsion(0.1, repulsion_gain(parameters), parameters.influence), 3, 1e-12);
+  parameters.clearance = parameters.influence;
+  EXPECT_THROW(PotentialField{parameters}, slalom::Error);
 }
 
 }  // namespace

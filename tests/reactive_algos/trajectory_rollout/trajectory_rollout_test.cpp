@@ -90,6 +90,15 @@ TEST(TrajectoryRollout, BrakesWhenEveryTrajectoryCollides) {
   EXPECT_EQ(decide({{0.5, -3, 0.5, 3}}, {5, 0}, {1, 0}).v, 0);
 }
 
+TEST(TrajectoryRollout, BrakesOnItsArcWhenEveryTrajectoryCollides) {
+  // Other arcs were found to end later, but at other speeds than those while it brakes.
+  const Twist now{1, 0.4};
+  const Twist twist = decide({{0.5, -3, 0.5, 3}}, {5, 0}, now);
+  const Twist on_arc = brake_on_arc(now, Robot{}, NavigationTask{}.control_period).value();
+  EXPECT_EQ(twist.v, on_arc.v);
+  EXPECT_EQ(twist.w, on_arc.w);
+}
+
 TEST(TrajectoryRollout, SlowsDownBeforeTheGoal) {
   EXPECT_LE(decide({}, {0.1, 0}, {0.5, 0}).v, std::sqrt(1.4 * 0.2) + 1e-9);
 }
@@ -153,7 +162,7 @@ TEST(TrajectoryRollout, KeepsTrackedMoversOutOfItsMap) {
   const Twist tracked = decide_among(leaving, {5, 0}, {0.5, 0}, closed);
   const Twist untracked = decide_among({}, {5, 0}, {0.5, 0}, closed);
   EXPECT_GT(tracked.v, 0.8);
-  EXPECT_LT(untracked.v, 0.4);
+  EXPECT_LT(untracked.v, 0.6);
 }
 
 }  // namespace

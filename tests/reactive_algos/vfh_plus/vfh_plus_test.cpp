@@ -70,8 +70,13 @@ TEST(VfhPlus, KeepsItsSideBetweenEqualAlternatives) {
   EXPECT_GT(method.decide(sectors_with({{-30, 30, 0.15}}), target_at(0)).direction, 0);
 }
 
-TEST(VfhPlus, StopsWhenBlocked) {
-  EXPECT_EQ(VfhPlus().decide(sectors_with({{-181, 181, 0.1}}), target_at(0)).speed, 0);
+TEST(VfhPlus, TurnsInSearchOfAnOpeningToOneSideWhenBlocked) {
+  const Sectors blocked = sectors_with({{-181, 181, 0.1}});
+  VfhPlus method;
+  EXPECT_NEAR(method.decide(blocked, target_at(-10)).direction, -M_PI / 2, 1e-9);
+  EXPECT_NEAR(method.decide(blocked, target_at(20)).direction, -M_PI / 2, 1e-9);
+  method.decide(sectors_with({}), target_at(20));
+  EXPECT_NEAR(method.decide(blocked, target_at(20)).direction, M_PI / 2, 1e-9);
 }
 
 }  // namespace
