@@ -51,7 +51,7 @@ function overviewCard({ method, text, failures }) {
 function overviewSection(method) {
   const entries = report.overview.filter((one) => method === null || one.method === method);
   const headlines = report.headlines.filter((one) => method === null || one.method === method)
-    .map(({ text }) => html("p", { class: "headline" }, html("strong", {}, text + ".")));
+    .map(({ text }) => html("p", { class: "headline" }, html("strong", {}, text + (text.endsWith("?") ? "" : "."))));
   if (entries.length === 0) return headlines.length === 0 ? null : headlines;
   loadScript("data/failures.js");
   return [headlines, entries.map(overviewCard),

@@ -3,6 +3,7 @@
 #include "pages.h"
 #include "report_data.h"
 #include "scenario_data.h"
+#include "turning_in_place.h"
 #include "value_data.h"
 
 #include <slalom/analysis/analysis_section.h>
@@ -63,7 +64,11 @@ class ScenarioFiles {
  public:
   ScenarioFiles(const std::string& results, const ReportInput& input, const OrderedJson& overview,
                 const std::string& directory)
-      : files_(results), input_(input), runs_(input.runs), directory_(directory) {
+      : files_(results),
+        input_(input),
+        runs_(input.runs),
+        directory_(directory),
+        turning_(input.runs.methods.size()) {
     for (const OrderedJson& method : overview)
       for (const OrderedJson& failure : method["failures"])
         if (notable_.size() < kMaxFailurePictures)
@@ -85,6 +90,15 @@ class ScenarioFiles {
     return {{"scenarios", std::move(scenarios_)}, {"runs", std::move(entries_)}};
   }
 
+  /// Sentences about the trajectories of methods, for "headlines"; call it after write().
+  OrderedJson headlines() const {
+    OrderedJson json = OrderedJson::array();
+    for (std::size_t method = 0; method < runs_.methods.size(); ++method)
+      if (const std::string line = turning_.line_of(method); !line.empty())
+        json.push_back({{"method", method}, {"text", runs_.methods[method] + " " + line}});
+    return json;
+  }
+
  private:
   ResultFiles files_;
   const ReportInput& input_;
@@ -97,6 +111,7 @@ class ScenarioFiles {
   std::set<std::size_t> notable_;                         ///< scenarios on the first screen
   OrderedJson failure_pictures_ = OrderedJson::object();  ///< by their index
   std::size_t page_ = 1, page_bytes_ = 0;
+  TurningInPlace turning_;
 
   /// Scenarios are in the order of their runs.
   void add(std::size_t scenario) {
@@ -109,7 +124,10 @@ class ScenarioFiles {
       write_file_atomically((directory_ / "data" / ("s-" + hash.substr(0, 8) + ".js")).string(),
                             scenario_script(input_, content, directory_.string()));
       picture = scenario_picture(input_, content);
-      for (const RunRecord& run : content.records) details.push_back(run.outcome_detail);
+      for (std::size_t i = 0; i < content.records.size(); ++i) {
+        details.push_back(content.records[i].outcome_detail);
+        turning_.add(runs_.method[first + i], content.records[i], content.trajectories[i]);
+      }
     }
     for (std::size_t run = first; run < runs_.size() && runs_.scenario[run] == scenario; ++run)
       entries_.push_back(entry(run, run - first < details.size() ? details[run - first] : ""));
@@ -189,9 +207,11 @@ void write_report(const std::string& results, ResultTable runs, const ReportOpti
   std::vector<RunGroup> groups;
   OrderedJson data = report_data(input, groups);
   data["results"] = std::filesystem::path(results).lexically_normal().filename().string();
-  const std::string summary = json_text(data);
   make_directory(directory);
-  OrderedJson lists = ScenarioFiles(results, input, data["overview"], directory).write();
+  ScenarioFiles files(results, input, data["overview"], directory);
+  OrderedJson lists = files.write();
+  for (OrderedJson& line : files.headlines()) data["headlines"].push_back(std::move(line));
+  const std::string summary = json_text(data);
   lists["groups"] = groups_json(groups);
   const std::string runs_text = json_text(lists), values = json_text(value_data(runs));
   const auto write = [&directory](const std::string& name, const std::string& text) {

@@ -84,6 +84,7 @@ class ReportTest : public testing::Test {
   std::filesystem::path folder_;
   People people_;     ///< in each scenario
   double side_ = 10;  ///< of each scenario (m)
+  double turn_ = 0;   ///< rad/s, of "<bad>", in each sample
 
  private:
   void add_scenario(ResultFile& file, int i, const std::string& name) const {
@@ -101,12 +102,13 @@ class ReportTest : public testing::Test {
       file.add_run(make_run(scenario, reached), {}, make_trajectory(reached));
   }
 
-  static Trajectory make_trajectory(bool reached) {
+  Trajectory make_trajectory(bool reached) const {
     Trajectory trajectory;
     for (int i = 0; i <= (reached ? 80 : 30); ++i) {
       Sample sample;
       sample.t = 0.1 * i;
       sample.pose = {1 + 0.1 * i, 1 + 0.1 * i, 0.785};
+      sample.w = reached ? 0 : turn_;
       trajectory.samples.push_back(sample);
     }
     return trajectory;
