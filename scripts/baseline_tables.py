@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared parts of the scripts that make tables of docs: claims.py, limits.py, people.py, transport.py, tuned.py. Environment
-variable: SLALOM_BIN, the folder of the programs."""
+variable: SLALOM_BIN, the folder of the programs. As a program it copies Markdown with the LABELS of methods in the rows of
+tables."""
 
 import json
 import os
@@ -15,6 +16,14 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BIN = pathlib.Path(os.environ.get("SLALOM_BIN", ROOT / "build/release/bin"))
 CAMPAIGN = ROOT / "configs/baselines.ini"
 JOBS = os.environ.get("JOBS", "2")
+# Names of rows for MRPT's classes, which say who calls them; by their names in configs/baselines.ini.
+LABELS = {
+    "nd": "CHolonomicND (Slalom's adapter)",
+    "vff": "CHolonomicVFF (Slalom's adapter)",
+    "full_eval": "CHolonomicFullEval (Slalom's adapter)",
+    "reactive": "CReactiveNavigationSystem (MRPT's)",
+    "reactive_tuned": "CReactiveNavigationSystem (MRPT's), tuned",
+}
 
 
 def folder_argument(usage):
@@ -115,6 +124,15 @@ def estimate(row, name, digits=2):
 
 def print_table(header, rows):
     print("| " + " | ".join(header) + " |\n" + "|---" * len(header) + "|")
-    for cells in rows:
-        print("| " + " | ".join(cells) + " |")
+    for first, *cells in rows:
+        print("| " + " | ".join([LABELS.get(first, first), *cells]) + " |")
     print()
+
+
+def label_rows(markdown):
+    """With the labels of the methods that begin rows of tables."""
+    return re.sub(r"^\| (\w+) \|", lambda row: f"| {LABELS.get(row[1], row[1])} |", markdown, flags=re.M)
+
+
+if __name__ == "__main__":
+    sys.stdout.write(label_rows(sys.stdin.read()))

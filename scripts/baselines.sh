@@ -96,10 +96,10 @@ for page in "${pages[@]}"; do
     markdown 5 <"$folder/$page/all.csv"
     for metric in $metrics; do
       printf '## %s\n\n' "${metric^}"
-      for descriptor in $(awk -F, '!seen[$2]++ {print $2}' "$folder/$page/bins.csv"); do
+      for descriptor in $(awk -F, 'NF >= 10 && !seen[$2]++ {print $2}' "$folder/$page/bins.csv"); do
         markdown 3 "$metric" "$descriptor" <"$folder/$page/bins.csv"
       done
     done
-  } >"$folder/$page.md"
+  } | python3 scripts/baseline_tables.py >"$folder/$page.md"
   echo "$folder/$page.md"
 done

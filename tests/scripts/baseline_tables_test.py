@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Statistics of the scripts that make tables: baseline_tables_test.py SOURCE_FOLDER."""
+"""Statistics and labels of the scripts that make tables: baseline_tables_test.py SOURCE_FOLDER."""
 import pathlib
 import random
 import statistics
@@ -9,7 +9,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(sys.argv.pop(1)).resolve() / "scripts"))
 
-from baseline_tables import kendall_tau, noise_ceiling
+from baseline_tables import kendall_tau, label_rows, noise_ceiling
 
 RATES = [0.95, 0.9, 0.8, 0.7, 0.65, 0.6, 0.5, 0.4]
 
@@ -48,6 +48,12 @@ class NoiseCeiling(unittest.TestCase):
     def test_is_one_for_the_same_outcomes_in_the_same_scenarios(self):
         outcomes = campaign("a", RATES, random.Random(4))
         self.assertAlmostEqual(noise_ceiling(outcomes, outcomes, 20)[1], 1)
+
+
+class Labels(unittest.TestCase):
+    def test_name_who_calls_a_class_of_mrpt_in_rows_only(self):
+        markdown = "nd in a sentence\n| method | nd |\n|---|---|\n| nd | 1 |\n| nd_plus | 2 |\n"
+        self.assertEqual(label_rows(markdown), markdown.replace("| nd | 1", "| CHolonomicND (Slalom's adapter) | 1"))
 
 
 unittest.main()
