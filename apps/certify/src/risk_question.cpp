@@ -196,8 +196,11 @@ Statement RiskQuestion::statement(const Json& answer) const {
   Statement statement;
   statement.title = "risk of " + method + ", confidence " + format_number(confidence_);
   StatementTable table{"", "lr", {"outcome", "runs"}, {}, false};
-  for (const auto& [outcome, count] : answer.at("outcome_counts").items())
-    table.rows.push_back({outcome, std::to_string(count.get<std::size_t>())});
+  // Another program may write the members of an object in another order.
+  const Json& counts = answer.at("outcome_counts");
+  for (const char* outcome : enum_names(Outcome()))
+    if (const auto count = counts.find(outcome); count != counts.end())
+      table.rows.push_back({outcome, std::to_string(count->get<std::size_t>())});
   statement.parts.emplace_back(std::move(table));
   statement.parts.emplace_back("claim: " + answer.at("claim").get<std::string>());
   statement.parts.emplace_back(count_text(answer.at("runs").get<std::size_t>(), "run") + ", " +
