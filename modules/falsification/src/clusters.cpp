@@ -20,25 +20,6 @@ ObstacleSide side_of(double bearing) {
   return std::abs(bearing) < 3 * M_PI / 4 ? ObstacleSide::Side : ObstacleSide::Back;
 }
 
-EndMotion motion_without_contact(const std::vector<Sample>& samples, double radius) {
-  double driven = 0, turned = 0;
-  for (std::size_t i = samples.size() - 1; i > 0; --i) {
-    const mrpt::math::TPose2D &a = samples[i - 1].pose, &b = samples[i].pose;
-    if (samples[i - 1].t < samples.back().t - kEndWindow - 1e-9) break;
-    driven += math::hypot(b.x - a.x, b.y - a.y);
-    turned += std::abs(mrpt::math::wrapToPi(b.phi - a.phi));
-  }
-  if (driven >= radius) return EndMotion::Driving;
-  return turned < M_PI / 2 ? EndMotion::Stopped : EndMotion::Turning;
-}
-
-EndMotion end_motion(Outcome outcome, const std::vector<Sample>& samples, const RobotModel& robot) {
-  if (outcome == Outcome::Stuck || outcome == Outcome::Timeout)
-    return motion_without_contact(samples, robot.shape().enclosing_radius());
-  const double speed = math::hypot(samples.back().v, samples.back().vy);
-  return speed > robot.max_v / 2 ? EndMotion::Fast : EndMotion::Slow;
-}
-
 using Members = std::vector<std::size_t>;
 
 /// Divides failures by their facts in words.
@@ -115,7 +96,7 @@ FailureFacts measure_end(const World& world, const Movers& movers, const RobotMo
   facts.with_mover = mover != nullptr && !facts.with_person;
   facts.side = side_of(mover != nullptr ? bearing_of(mover->position(trajectory.duration()), pose)
                                         : bearing_of_obstacle(world, pose, radius / 2));
-  facts.motion = end_motion(outcome, trajectory.samples, robot);
+  facts.motion = end_motion(outcome, trajectory, robot.shape().enclosing_radius(), robot.max_v);
   facts.faces_goal = std::abs(bearing_of(goal, pose)) <= M_PI / 2;
   return facts;
 }

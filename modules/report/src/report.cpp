@@ -68,7 +68,7 @@ class ScenarioFiles {
         input_(input),
         runs_(input.runs),
         directory_(directory),
-        turning_(input.runs.methods.size()) {
+        turning_(input.runs.methods.size(), input.options.robot) {
     for (const OrderedJson& method : overview)
       for (const OrderedJson& failure : method["failures"])
         if (notable_.size() < kMaxFailurePictures)

@@ -84,7 +84,7 @@ class ReportTest : public testing::Test {
   std::filesystem::path folder_;
   People people_;     ///< in each scenario
   double side_ = 10;  ///< of each scenario (m)
-  double turn_ = 0;   ///< rad/s, of "<bad>", in each sample
+  double turn_ = 0;   ///< rad/s, of "<bad>", which then stands until it is stuck
 
  private:
   void add_scenario(ResultFile& file, int i, const std::string& name) const {
@@ -108,18 +108,18 @@ class ReportTest : public testing::Test {
       Sample sample;
       sample.t = 0.1 * i;
       sample.pose = {1 + 0.1 * i, 1 + 0.1 * i, 0.785};
-      sample.w = reached ? 0 : turn_;
+      if (!reached && turn_ > 0) sample.pose = {1, 1, turn_ * sample.t};
       trajectory.samples.push_back(sample);
     }
     return trajectory;
   }
 
-  static RunRecord make_run(const Scenario& scenario, bool reached) {
+  RunRecord make_run(const Scenario& scenario, bool reached) const {
     RunRecord run;
     run.scenario_hash = scenario.hash();
     run.scenario_name = scenario.name();
     run.method = reached ? "good" : "<bad>";
-    run.outcome = reached ? "success" : "collision";
+    run.outcome = reached ? "success" : turn_ > 0 ? "stuck" : "collision";
     run.outcome_detail = reached ? "" : "with a \"disc\"";
     run.metrics["success"] = {1, Value::of(reached ? 1 : 0)};
     run.metrics["optimality"] = {1, reached ? Value::of(0.9) : Value::na("collision")};

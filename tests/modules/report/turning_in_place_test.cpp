@@ -5,15 +5,13 @@
 namespace slalom {
 namespace {
 
-/// A run of 20 s at 10 samples per second, which drives straight and then turns in place for
-/// `turning` s.
-Trajectory run_that_turns_for(double turning) {
-  constexpr double kEnd = 20;  // s
+/// A run of 10 s that stands and turns at this rate.
+Trajectory run_that_turns(double rate) {
   Trajectory trajectory;
-  for (int i = 0; i <= 10 * kEnd; ++i) {
+  for (int i = 0; i <= 100; ++i) {
     Sample sample;
     sample.t = i / 10.0;
-    (sample.t > kEnd - turning ? sample.w : sample.v) = 0.5;
+    sample.pose.phi = rate * sample.t;
     trajectory.samples.push_back(sample);
   }
   return trajectory;
@@ -25,35 +23,20 @@ RunRecord run_with(Outcome outcome) {
   return run;
 }
 
-TEST(TurningInPlace, IsMostOfTheLastEightSeconds) {
-  EXPECT_TRUE(ends_turning_in_place(run_that_turns_for(8)));
-  EXPECT_TRUE(ends_turning_in_place(run_that_turns_for(4.5)));
-  EXPECT_FALSE(ends_turning_in_place(run_that_turns_for(3.5)));
-  EXPECT_FALSE(ends_turning_in_place({}));
-}
-
-TEST(TurningInPlace, IsNoTurnOfAMovingRobotNorAStandstill) {
-  Trajectory moving = run_that_turns_for(20), standing = moving, sideways = moving;
-  for (Sample& sample : moving.samples) sample.v = 0.1;
-  for (Sample& sample : sideways.samples) sample.vy = -0.1;
-  for (Sample& sample : standing.samples) sample.w = 0.05;
-  for (const Trajectory& one : {moving, standing, sideways})
-    EXPECT_FALSE(ends_turning_in_place(one));
-}
-
 TEST(TurningInPlace, IsNamedFromThreeAndHalfOfTheFailuresOn) {
-  TurningInPlace turning(2);
-  const auto add = [&](Outcome outcome, double seconds) {
-    turning.add(1, run_with(outcome), run_that_turns_for(seconds));
+  TurningInPlace turning(2, RobotModel());
+  const auto add = [&](Outcome outcome, double rate) {
+    turning.add(1, run_with(outcome), run_that_turns(rate));
   };
-  for (int i = 0; i < 9; ++i) add(Outcome::Success, i % 2 == 0 ? 8 : 0);
-  for (int i = 0; i < 2; ++i) add(Outcome::Stuck, 8);
-  turning.add(1, run_with(Outcome::Stuck), {});
+  for (int i = 0; i < 9; ++i) add(Outcome::Success, i % 2);
+  for (int i = 0; i < 2; ++i) add(Outcome::Stuck, 1);
   EXPECT_EQ(turning.line_of(1), "");
-  add(Outcome::Timeout, 8);
+  add(Outcome::Timeout, -1);
   EXPECT_EQ(turning.line_of(1),
             "turns in place at the end of 3 of 3 failures: does it see what it turns to?");
-  for (int i = 0; i < 3; ++i) add(Outcome::Collision, 0);
+  turning.add(1, run_with(Outcome::Stuck), {});
+  add(Outcome::Collision, 1);
+  add(Outcome::Stuck, 0.1);
   EXPECT_NE(turning.line_of(1).find("3 of 6 failures"), std::string::npos);
   add(Outcome::Stuck, 0);
   EXPECT_EQ(turning.line_of(1), "");
@@ -63,7 +46,7 @@ TEST(TurningInPlace, IsNamedFromThreeAndHalfOfTheFailuresOn) {
 class FailuresReport : public ReportTest {};
 
 TEST_F(FailuresReport, NamesAMethodThatTurnsInPlaceWhereItFails) {
-  turn_ = 0.5;
+  turn_ = 1;
   write(make_results(4));
   std::string found;
   const auto json = report_json();

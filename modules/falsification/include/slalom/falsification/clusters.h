@@ -4,7 +4,7 @@
 #include <slalom/core/enum_names.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/scenario/world.h>
-#include <slalom/trajectory/trajectory.h>
+#include <slalom/trajectory/end_motion.h>
 
 #include <array>
 #include <cstddef>
@@ -20,21 +20,6 @@ constexpr auto enum_names(ObstacleSide) {
   return std::array{"nearest obstacle in front", "nearest obstacle at the side",
                     "nearest obstacle behind"};
 }
-
-/// Motion of the robot in the last kEndWindow of a run.
-enum class EndMotion {
-  Fast,     ///< ended above half of the maximum speed
-  Slow,     ///< ended below it; of collisions and failures of the method
-  Stopped,  ///< of the other failures: drove less than one radius, turned less than 90 degrees
-  Turning,  ///< drove less than one radius, turned more
-  Driving   ///< drove more than one radius
-};
-constexpr auto enum_names(EndMotion) {
-  return std::array{"above half of the maximum speed", "below half of the maximum speed", "stops",
-                    "turns in place", "keeps driving"};
-}
-
-constexpr double kEndWindow = 5;  ///< s
 
 /// Features of a failing run, for clusters.
 struct FailureFacts {
