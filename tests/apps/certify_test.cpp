@@ -526,6 +526,21 @@ constexpr char kNarrow[] =
     "[campaign]\nmethods = go\n[generator.passage]\nmin_width = 0.3\nmax_width = 0.3\n"
     "[method.go]\nadapter = library\nplugin = libslalom_go_to_goal.so\n";
 
+TEST_F(Certify, ASlowRobotHasTheTimeThatItsScenariosTake) {
+  // 7.5 m and more, at 0.1 m/s.
+  const std::string standard =
+      "slalom-certify standard slow.ini --quiet --method gap --families sudden_obstacle "
+      "--speeds 0.5 --trials 8 --reliability 0.75 ";
+  write("slow.ini", std::string(kIni) + "[robot]\nmax_v = 0.2\n");
+  const ProgramResult result = run(standard + "-o a.json");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(certificate("a.json").at("answer").at("tests").at(0).at("passed")) << result.out;
+  expect_failure(standard + "--set simulation.max_time=60", 2,
+                 {"[simulation] max_time: scenario sudden_obstacle_0000: nobody can arrive within "
+                  "60 s: the shortest path takes ",
+                  " s at 0.1 m/s", "or auto"});
+}
+
 TEST_F(Certify, DrawsThatTheRobotCannotSolveAreNoRuns) {
   write("none.ini", std::string(kNarrow) + "[scenarios]\ngenerator = passage\n");
   expect_failure("slalom-certify risk none.ini --method go --at-most 0.005 --require --quiet", 1,

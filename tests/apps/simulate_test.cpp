@@ -42,6 +42,37 @@ TEST_F(Simulate, RunsTheCampaignThatAResultFileContains) {
   expect_failure("slalom-simulate run none.results -o c.results", 3, {"none.results"});
 }
 
+TEST_F(Simulate, SaysBeforeTheRunsInWhichScenariosNobodyCanArriveInTime) {
+  write("far.scenario.yaml",
+        "name: far\nrepresentation: continuous\nbounds: [0, -2, 30, 2]\nstart: [1, 0, 0]\n"
+        "goal: [27.8, 0]\ndiscs: []\npolygons: []\n");
+  write("near.scenario.yaml",
+        "name: near\nrepresentation: continuous\nbounds: [0, -2, 30, 2]\nstart: [1, 0, 0]\n"
+        "goal: [5, 0]\ndiscs: []\npolygons: []\n");
+  ASSERT_EQ(
+      run("slalom-scenarios import far.scenario.yaml near.scenario.yaml -o two.scenarios").status,
+      0);
+  const std::string simulate =
+      "slalom-simulate run small.ini --quiet --scenarios two.scenarios --set robot.max_v=0.26 ";
+  // The path to within 0.2 m of the goal.
+  const std::string note =
+      "in 1 of 2 scenarios nobody can arrive within 60 s: far; in far the shortest path takes "
+      "102.3 s at 0.26 m/s\n";
+  const ProgramResult hurried = run(simulate + "--set simulation.max_time=60 -o a.results");
+  EXPECT_EQ(hurried.err.find(note), 0U) << hurried.err;
+  EXPECT_NE(run("slalom-analyze dump a.results").out.find("nobody can arrive within 60 s"),
+            std::string::npos);
+  for (const std::string verb : {"summary", "table"})
+    EXPECT_NE(run("slalom-analyze " + verb + " a.results").err.find(note), std::string::npos);
+  ASSERT_EQ(run("slalom-analyze report a.results -o report").status, 0);
+  EXPECT_NE(read("report/index.html").find(note.substr(0, note.size() - 1)), std::string::npos);
+
+  const ProgramResult enough = run(simulate + "-o b.results");
+  ASSERT_EQ(enough.status, 0) << enough.err;
+  EXPECT_EQ(enough.err.find("nobody"), std::string::npos) << enough.err;
+  EXPECT_EQ(run("slalom-analyze dump b.results").out.find("timeout"), std::string::npos);
+}
+
 TEST_F(Simulate, RejectsInvalidListsAndVerbs) {
   expect_failure("slalom-simulate run -c small.ini --scenarios small.ini -o runs.results", 3,
                  {"small.ini"});

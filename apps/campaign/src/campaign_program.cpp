@@ -271,7 +271,9 @@ CampaignReport run_campaign_program(const CampaignConfig& config,
       scenarios.size() * static_cast<std::size_t>(config.options.repetitions);
   const std::size_t total = runs_of_each * config.methods.size();
   const std::vector<RunRecorder> recorders = campaign.recorders;
-  CampaignRecorder recorder(std::move(campaign), std::move(results), {steady_seconds, notify});
+  const auto warn = [](const std::string& line) { std::cerr << line << std::endl; };
+  CampaignRecorder recorder(std::move(campaign), std::move(results),
+                            {steady_seconds, notify, warn});
   notify_known_runs(recorder.known_runs(), total, rule.has_value(), notify);
   const int workers = campaign_workers(config, arguments);
   if (arguments.jobs == 0 && (rule || recorder.known_runs() < total))

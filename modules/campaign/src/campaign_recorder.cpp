@@ -70,6 +70,10 @@ bool CampaignRecorder::has_run(const Scenario& scenario, const RunSpec& spec) {
   return known_runs_.count(key_of(scenario.hash(), spec.method, spec.repetition)) > 0;
 }
 
+void CampaignRecorder::warn(const std::string& line) {
+  if (recording_.warn) recording_.warn(line);
+}
+
 void CampaignRecorder::add_scenario(const ScenarioRecord& record, const References& references,
                                     const PackedScenario& packed) {
   file_.add_scenario(record, packed, references.timing);

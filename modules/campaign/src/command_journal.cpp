@@ -22,7 +22,8 @@ void CommandJournal::on_cycle(const Observation&, const Command& command,
 }
 
 std::size_t CommandJournal::size_for(const SimulationOptions& options) {
-  const double cycles = std::ceil(options.max_time / options.control_period) + 2;
+  const double cycles =
+      std::ceil(options.max_time ? *options.max_time / options.control_period : kMaxAutoCycles) + 2;
   return static_cast<std::size_t>(cycles) * sizeof(Entry);
 }
 

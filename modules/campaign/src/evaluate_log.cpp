@@ -46,18 +46,21 @@ EvaluatedLog evaluate_log(const CampaignOptions& options, const ReferencePlanner
                           std::optional<Outcome> outcome) {
   EvaluatedLog evaluated;
   SimulationResult& run = evaluated.run;
+  const References references = find_references(options, planner, world);
+  SimulationOptions simulation = options.simulation;
+  simulation.max_time = time_limit(options, references);
   if (outcome) {
     run.outcome = *outcome;
     run.detail = "as given";
     run.trajectory = log;
-    run.movers = movers_along(world, options.robot, options.simulation, log, options.people,
-                              &run.hindrances);
+    run.movers =
+        movers_along(world, options.robot, simulation, log, options.people, &run.hindrances);
   } else {
-    run = evaluate_trajectory(world, options.robot, options.simulation, log, options.people);
+    run = evaluate_trajectory(world, options.robot, simulation, log, options.people);
   }
   evaluated.notes = position_notes(world, options, log, run);
-  evaluated.metrics = measure_run(options, world, find_references(options, planner, world),
-                                  run.trajectory, run.outcome, run.movers, run.hindrances);
+  evaluated.metrics = measure_run(options, world, references, run.trajectory, run.outcome,
+                                  run.movers, run.hindrances);
   return evaluated;
 }
 

@@ -4,10 +4,12 @@
 #include "scenario_survey.h"
 #include "wire.h"
 
+#include <slalom/campaign/measure.h>
 #include <slalom/campaign/method_pool.h>
 #include <slalom/campaign/run_campaign.h>
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
+#include <slalom/results/lack_of_time.h>
 #include <slalom/workers/worker_pool.h>
 
 #include <algorithm>
@@ -91,6 +93,19 @@ bool survey_scenarios(const Campaign& campaign, CampaignSink& sink, const Execut
   const bool complete = run_in_workers(missing.size(), pool, item, receive, execution.interrupted);
   execution.progress.finish();
   return complete;
+}
+
+/// The note on scenarios in which nobody can arrive in time.
+std::string note_before_runs(const Campaign& campaign, const std::vector<References>& references) {
+  LacksOfTime lacks;
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    if (!may_lack_time(campaign.options, references[i])) continue;
+    const Scenario& scenario = campaign.scenarios[i];
+    const World world(scenario, campaign.options.simulation.resolution);
+    std::string lack = lack_of_time(campaign.options, world, references[i]);
+    if (!lack.empty()) lacks.emplace_back(scenario.name(), std::move(lack));
+  }
+  return lack_of_time_note(lacks, references.size());
 }
 
 /// Whether the trajectory, if it is stored, is the one that was hashed: its method may have damaged
@@ -240,8 +255,10 @@ CampaignSummary run_campaign(const Campaign& campaign, CampaignSink& sink,
                              const Execution& execution) {
   CampaignSummary summary;
   std::vector<References> references(campaign.scenarios.size());
-  summary.complete = survey_scenarios(campaign, sink, execution, references) &&
-                     run_methods(campaign, sink, execution, references, summary);
+  if (!survey_scenarios(campaign, sink, execution, references)) return summary;
+  if (const std::string note = note_before_runs(campaign, references); !note.empty())
+    sink.warn(note);
+  summary.complete = run_methods(campaign, sink, execution, references, summary);
   return summary;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_executor.h"
 
+#include <slalom/campaign/measure.h>
 #include <slalom/campaign/method_pool.h>
 #include <slalom/campaign/run_draws.h>
 #include <slalom/core/byte_stream.h>
@@ -44,8 +45,20 @@ class DrawExecutor {
     slot_ = 1 - slot_;
     while (campaign_.scenarios.size() < 2) campaign_.scenarios.push_back(drawn->scenario);
     campaign_.scenarios[slot_] = std::move(drawn->scenario);
+    const Scenario& scenario = campaign_.scenarios[slot_];
     if (!executor_) executor_.emplace(campaign_, references_, true);
-    const std::string hash = campaign_.scenarios[slot_].hash();
+    const World& world = executor_->world(slot_);
+    references_[slot_] = find_earliest(campaign_.options, world);
+    if (const std::string lack = lack_of_time(campaign_.options, world, references_[slot_]);
+        !lack.empty())
+      return {Outcome::UnsolvableScenario,
+              "scenario " + scenario.name() + ": " + lack,
+              "",
+              "",
+              {},
+              0,
+              true};
+    const std::string& hash = scenario.hash();
     const RunFindings findings = executor_->execute(
         {slot_, campaign_.methods[0].name, 0, run_seed(campaign_.options.seed, hash, 0)}, log);
     const RunRecord& run = findings.record;
@@ -85,6 +98,7 @@ std::string to_bytes(const DrawnRun& run) {
       .u8(run.value ? 1 : 0)
       .f64(run.value.value_or(0))
       .f64(run.cycle_time)
+      .u8(run.lacks_time ? 1 : 0)
       .take();
 }
 
@@ -102,6 +116,7 @@ std::optional<DrawnRun> read_answer(const std::string& bytes) {
     const double value = reader.f64();
     if (has_value) run.value = value;
     run.cycle_time = reader.f64();
+    run.lacks_time = reader.u8() == 1;
     return run;
   } catch (const Error&) {
     return std::nullopt;
@@ -131,6 +146,7 @@ bool run_draws(const NamedMethod& method, const CampaignOptions& options, const 
   const auto pass_on = [&](std::size_t, WorkResult&& result) {
     if (finished) return;
     const DrawnRun run = run_of(result);
+    if (run.lacks_time) throw usage_error("[simulation] max_time", run.detail, "more, or auto");
     if (run.outcome == Outcome::InfrastructureError)
       throw job_error("a run of " + method.name, run.detail);
     finished = !receive(run);

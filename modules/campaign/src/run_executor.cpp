@@ -115,6 +115,12 @@ double RunExecutor::cycle_limit() const {
                                            : setup.simulation.control_period;
 }
 
+RunSetup RunExecutor::setup_in(std::size_t scenario) const {
+  RunSetup setup = campaign_.options;
+  setup.simulation.max_time = time_limit(setup, references_[scenario]);
+  return setup;
+}
+
 SimulationResult RunExecutor::simulate_run(const RunSpec& spec, SharedTaskLog& log) {
   std::string reason;
   Method* built = nullptr;
@@ -137,8 +143,8 @@ SimulationResult RunExecutor::simulate_contained(const RunSpec& spec, Method& me
   std::optional<ProcessState> before;
   if (own_process_) before.emplace();
   CommandJournal journal(log);
-  SimulationResult result =
-      simulate(scenario_world, campaign_.options, spec.seed, method, &journal, people_alone());
+  SimulationResult result = simulate(scenario_world, setup_in(spec.scenario), spec.seed, method,
+                                     &journal, people_alone());
   std::fesetenv(&floating_point_);
   if (before && !before->restore()) log.retire_worker();
   return result;
@@ -153,7 +159,7 @@ RunFindings RunExecutor::reconstruct(const RunSpec& spec, const std::string& log
 
 SimulationResult RunExecutor::replay(const RunSpec& spec, const std::string& log, Outcome outcome,
                                      const std::string& detail, RunObserver* observer) {
-  RunSetup setup = campaign_.options;
+  RunSetup setup = setup_in(spec.scenario);
   setup.deadline = {};  // deadlines applied to the original run only
   ScriptedMethod script(CommandJournal::read(log, setup.robot), detail);
   OutcomeOverride outcome_override(outcome, detail, observer);
@@ -227,6 +233,9 @@ RunFindings RunExecutor::evaluate(const RunSpec& spec, const SimulationResult& r
   RunRecord& record = findings.record;
   record.outcome = to_string(result.outcome);
   record.outcome_detail = result.detail;
+  const std::string lack =
+      lack_of_time(campaign_.options, world(spec.scenario), references_[spec.scenario]);
+  if (!lack.empty()) record.outcome_detail += "; " + lack;
   record.trajectory_hash = result.trajectory.hash();
   record.metrics = measure_run(campaign_.options, world(spec.scenario), references_[spec.scenario],
                                result.trajectory, result.outcome, result.movers, result.hindrances);

@@ -35,6 +35,9 @@ class RunExecutor {
   /// Uses tables of World::write_tables() for the runs in a scenario that follow.
   void use_tables(std::size_t scenario, const SharedArray<std::byte>& tables);
 
+  /// The world of a scenario, with all tables, until that of another one is asked for.
+  const World& world(std::size_t scenario);
+
   /// Ends the life of all methods that execute() has constructed.
   void destroy_methods() { methods_.clear(); }
 
@@ -44,12 +47,12 @@ class RunExecutor {
                           const std::string& detail);
 
  private:
-  const World& world(std::size_t scenario);
   PeopleAlone* people_alone();  ///< those in world_; null without people
   Method& method(const std::string& name);
   SimulationResult simulate_run(const RunSpec& spec, SharedTaskLog& log);
   SimulationResult simulate_contained(const RunSpec& spec, Method& method, SharedTaskLog& log);
-  double cycle_limit() const;  ///< s
+  double cycle_limit() const;                     ///< s
+  RunSetup setup_in(std::size_t scenario) const;  ///< with the time limit of its runs
   SimulationResult replay(const RunSpec& spec, const std::string& log, Outcome outcome,
                           const std::string& detail, RunObserver* observer);
   void record(const RunSpec& spec, const std::string& log, const SimulationResult& result);

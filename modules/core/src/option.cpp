@@ -15,6 +15,9 @@ constexpr std::uint64_t kMaxSeed = std::numeric_limits<std::int64_t>::max();
 bool set_value(double& value, const std::string& text) {
   return parse_number(text, value);
 }
+bool set_value(std::optional<double>& value, const std::string& text) {
+  return parse_number(text, value.emplace());
+}
 bool set_value(int& value, const std::string& text) {
   long long number = 0;
   if (!parse_integer(text, number) || number > std::numeric_limits<int>::max() ||
@@ -41,6 +44,9 @@ bool set_value(std::string& value, const std::string& text) {
 std::string text_of(double value) {
   return format_number(value);
 }
+std::string text_of(const std::optional<double>& value) {
+  return text_of(value.value());
+}
 std::string text_of(int value) {
   return std::to_string(value);
 }
@@ -57,6 +63,9 @@ std::string text_of(const std::string& value) {
 bool is_valid(const Option& option, double value) {
   return std::isfinite(value) && option.range.contains(value);
 }
+bool is_valid(const Option& option, const std::optional<double>& value) {
+  return !value || is_valid(option, *value);
+}
 bool is_valid(const Option& option, int value) {
   return option.range.contains(value);
 }
@@ -72,7 +81,8 @@ bool is_valid(const Option& option, const std::string& value) {
 
 Error invalid_value(const Option& option, const std::string& text, const std::string& where) {
   std::string kind;
-  if (option.get_if<double>() != nullptr) kind = "a number ";
+  if (option.get_if<double>() != nullptr || option.get_if<std::optional<double>>() != nullptr)
+    kind = "a number ";
   if (option.get_if<int>() != nullptr || option.get_if<std::uint64_t>() != nullptr)
     kind = "an integer ";
   std::string expected =
@@ -84,17 +94,24 @@ Error invalid_value(const Option& option, const std::string& text, const std::st
 }  // namespace
 
 std::string Option::text() const {
+  if (const auto* number = get_if<std::optional<double>>(); number != nullptr && !*number)
+    return absent;
   return std::visit([](const auto* of) { return text_of(*of); }, value);
 }
 
 std::string Option::expected() const {
   if (get_if<std::uint64_t>() != nullptr) return kSeedRange;
   if (get_if<bool>() != nullptr) return "true or false";
+  if (get_if<std::optional<double>>() != nullptr) return range.text() + ", or " + absent;
   if (get_if<std::string>() == nullptr) return range.text();
   return choices.empty() ? "text" : join(choices, " | ");
 }
 
 void Option::set(const std::string& text, const std::string& where) const {
+  if (auto* number = get_if<std::optional<double>>(); number != nullptr && text == absent) {
+    number->reset();
+    return;
+  }
   std::visit(
       [&](auto* to) {
         auto read = *to;

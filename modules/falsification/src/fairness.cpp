@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "isolated_trials.h"
 
+#include <slalom/campaign/measure.h>
 #include <slalom/core/distance.h>
 #include <slalom/core/text.h>
 #include <slalom/falsification/fairness.h>
@@ -96,6 +97,9 @@ FairnessReport judge_failure(const FalsificationSetup& setup, const Scenario& sc
   const World world(scenario, setup.run.simulation.resolution);
   report.geometry = judge_geometry(world, setup.run.robot, options);
   if (!report.geometry.violation.empty()) report.violations.push_back(report.geometry.violation);
+  if (std::string lack = lack_of_time(setup.run, world, find_earliest(setup.run, world));
+      !lack.empty())
+    report.violations.push_back(std::move(lack));
   const std::vector<std::size_t> witnesses = setup.witnesses_in(scenario);
   for (const std::size_t i : witnesses) {
     Trial run = run_alone(setup, scenario, i);

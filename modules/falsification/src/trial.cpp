@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/campaign/campaign.h>
+#include <slalom/campaign/measure.h>
 #include <slalom/core/distance.h>
 #include <slalom/falsification/trial.h>
 
@@ -37,9 +38,11 @@ std::string FalsificationSetup::witness_name(std::size_t index) const {
 }
 
 Trial run_trial(const World& world, const FalsificationSetup& setup, Method& method) {
-  const SimulationResult result =
-      simulate(world, setup.run, run_seed(setup.seed, world.scenario().hash(), setup.repetition),
-               method, nullptr);
+  RunSetup run = setup.run;
+  if (!run.simulation.max_time)
+    run.simulation.max_time = time_limit(run, find_earliest(run, world));
+  const SimulationResult result = simulate(
+      world, run, run_seed(setup.seed, world.scenario().hash(), setup.repetition), method, nullptr);
   Trial trial{result.outcome, result.detail, result.trajectory.hash(),
               waypoints_of(result.trajectory)};
   trial.clearance = setup.run.sensor.max_range;

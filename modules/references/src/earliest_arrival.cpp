@@ -55,7 +55,7 @@ std::optional<EarliestArrival> earliest_arrival(const PlanningProblem& problem,
   }
   EarliestArrival result;
   Certificate& certificate = result.certificate;
-  certificate.lower_bound = arrival::static_bound(problem, shortest, limits);
+  certificate.lower_bound = earliest_without_movers(problem, shortest, limits);
   if (certificate.lower_bound > limits.max_time) {
     reason = "the goal cannot be reached" + within + ", even without moving obstacles";
     return std::nullopt;

@@ -102,8 +102,7 @@ Markup all_tables(const ReportInput& input) {
   for (const std::vector<CrossTable>& group : input.tables)
     for (const CrossTable& cross : group) parts.push_back(cross_table(cross));
   if (!summary.footnote.empty()) parts.push_back(element("p", {summary.footnote}));
-  for (const std::string& note : repeatability_notes(input.runs))
-    parts.push_back(element("p", {note}));
+  for (const std::string& note : notes_on_runs(input.runs)) parts.push_back(element("p", {note}));
   return element("div", parts);
 }
 

@@ -318,7 +318,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
   if (!input.summary.footnote.empty()) json["footnote"] = input.summary.footnote;
   if (const auto measured = repeatability_of(runs.manifest); !measured.empty())
     json["repeatability"] = repeatability_json(measured);
-  json["notes"] = repeatability_notes(runs);
+  json["notes"] = notes_on_runs(runs);
   json["manifest"] = runs.manifest;
   return json;
 }

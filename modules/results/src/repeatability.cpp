@@ -45,4 +45,10 @@ std::vector<std::string> repeatability_notes(const ResultTable& table) {
   return notes;
 }
 
+std::vector<std::string> notes_on_runs(const ResultTable& table) {
+  std::vector<std::string> notes = repeatability_notes(table);
+  if (std::string note = note_on_time(table); !note.empty()) notes.push_back(std::move(note));
+  return notes;
+}
+
 }  // namespace slalom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/expect_text.h>
 #include <slalom/core/text.h>
+#include <slalom/results/lack_of_time.h>
 #include <slalom/results/result_table.h>
 
 #include <algorithm>
@@ -201,6 +202,15 @@ void add_success(ResultTable& columns) {
   if (find_metric(columns, success.id) != nullptr) return;
   ValueColumn& column = columns.metrics.emplace_back(success);
   for (const std::uint32_t index : columns.outcome) column.add(success_of(columns.outcomes[index]));
+}
+
+std::string note_on_time(const ResultTable& table) {
+  LacksOfTime lacks;
+  for (std::size_t i = 0; i < table.scenario_hashes.size(); ++i)
+    if (const auto found = table.lack_of_time.find(table.scenario_hashes[i]);
+        found != table.lack_of_time.end())
+      lacks.emplace_back(table.scenario_names[i], found->second);
+  return lack_of_time_note(lacks, table.scenario_hashes.size());
 }
 
 Value success_of(const std::string& outcome) {

@@ -37,10 +37,12 @@ RunMovers run_movers_along(const World& world, const RobotModel& robot,
                            const SimulationOptions& options, const Trajectory& log,
                            const PeopleSettings& people) {
   constexpr double kRounding = 1e-9;  // s
-  RunMovers movers(world, robot.shape(), people, options.max_time);
+  const double limit =
+      options.max_time ? *options.max_time : std::max(options.time_limit(), log.duration());
+  RunMovers movers(world, robot.shape(), people, limit);
   const std::vector<Sample>& samples = log.samples;
   const auto time = [&](std::size_t i) { return samples[i].t - samples.front().t; };
-  for (std::size_t i = 0; i < samples.size() && time(i) <= options.max_time + kRounding; ++i)
+  for (std::size_t i = 0; i < samples.size() && time(i) <= limit + kRounding; ++i)
     while (movers.is_due(time(i))) {
       const double early = time(i) - movers.time();
       const Sample seen =
@@ -149,7 +151,7 @@ class LogEvaluator {
   }
 
   Sample at_time_limit(const Sample& before, const Sample& after) const {
-    const double left = std::max(options_.max_time - time(before), 0.0);
+    const double left = std::max(options_.time_limit() - time(before), 0.0);
     return between(before, after, left / (after.t - before.t));
   }
 

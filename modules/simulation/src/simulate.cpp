@@ -40,7 +40,7 @@ class Run {
         seed_(seed),
         method_(method),
         observer_(observer),
-        movers_(world, setup.robot.shape(), setup.people, options_.max_time, alone),
+        movers_(world, setup.robot.shape(), setup.people, options_.time_limit(), alone),
         sensor_(world, movers_.movers(), setup.sensor, seed),
         tracker_(movers_.movers(), setup.tracker, seed, movers_.scripted()),
         checker_(world, movers_, setup.robot, options_),

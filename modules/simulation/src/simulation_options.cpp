@@ -3,6 +3,7 @@
 #include <slalom/core/text.h>
 #include <slalom/simulation/simulate.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace slalom {
@@ -12,8 +13,11 @@ void SimulationOptions::visit(OptionVisitor& v) {
            Range::positive());
   v.option("step", step, "s", "integration and collision checking step; divides control_period",
            Range::positive());
-  v.option("max_time", max_time, "s", "simulated time after which a run is a timeout",
-           Range::positive());
+  v.option("max_time", max_time, "s",
+           "simulated time after which a run is a timeout; auto: the larger of 60 s and "
+           "time_factor times the earliest possible arrival",
+           Range::positive(), "auto");
+  v.option("time_factor", time_factor, "-", "of max_time = auto", Range::at_least(1));
   v.option("goal_tolerance", goal_tolerance, "m", "distance within which the goal is reached",
            Range::positive());
   v.option("goal_heading_tolerance", goal_heading_tolerance, "rad",
@@ -45,11 +49,17 @@ void SimulationOptions::check(const OptionLocation& where) const {
     throw usage_error(where("step"), format_number(step) + " s does not divide the control period",
                       "control_period (" + format_number(control_period) +
                           " s) divided by an integer up to 100000");
-  if (!(max_time / control_period <= kMaxCycles))
+  if (max_time && !(*max_time / control_period <= kMaxCycles))
     throw usage_error(where("max_time"),
-                      format_number(max_time) + " s has too many control periods of " +
+                      format_number(*max_time) + " s has too many control periods of " +
                           format_number(control_period) + " s",
                       "at most " + format_number(kMaxCycles) + " control periods");
+}
+
+double SimulationOptions::time_limit(double earliest) const {
+  constexpr double kShortest = 60;  // s
+  if (max_time) return *max_time;
+  return std::min(std::max(kShortest, time_factor * earliest), kMaxAutoCycles * control_period);
 }
 
 void check_period(const PeopleSettings& people, const SimulationOptions& simulation,

@@ -50,11 +50,11 @@ bool TerminationChecker::left_workspace(const TPose2D& pose) const {
 }
 
 bool TerminationChecker::is_in_time(double now) const {
-  return now <= options_.max_time + kTimeTolerance;
+  return now <= options_.time_limit() + kTimeTolerance;
 }
 
 bool TerminationChecker::is_time_over(double now) const {
-  return now >= options_.max_time - kTimeTolerance;
+  return now >= options_.time_limit() - kTimeTolerance;
 }
 
 std::string TerminationChecker::describe_contact(const Trajectory& trajectory,

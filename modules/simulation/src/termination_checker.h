@@ -38,8 +38,8 @@ class TerminationChecker {
   bool find_contact(TimedMotion& motion, double& fraction);
   bool reached_goal(const mrpt::math::TPose2D& pose) const;
   bool left_workspace(const mrpt::math::TPose2D& pose) const;
-  bool is_in_time(double now) const;    ///< now <= max_time
-  bool is_time_over(double now) const;  ///< now >= max_time
+  bool is_in_time(double now) const;    ///< now <= time_limit()
+  bool is_time_over(double now) const;  ///< now >= time_limit()
 
   /// Whether all positions of the last stuck_time before `now` lie within stuck_distance of the
   /// last one.

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -163,6 +164,51 @@ TEST(FindReferences, HaveTheEarliestArrivalAmongMoversAtTheMaximumSpeed) {
   options.simulation.max_time = 11;
   EXPECT_EQ(find({{"aside", 0.3, {{0, {5, 9}}}}}).unsolvable_reason(),
             "the goal cannot be reached within 11 s, even without moving obstacles");
+}
+
+TEST(TimeLimit, FollowsFromTheShortestPathAndFromArrivalsAmongMovers) {
+  CampaignOptions options;
+  options.robot.max_v = 0.1;
+  // Around the end of a wall: two times 5 m, and the quarter of a circle around its corners.
+  Primitives walls;
+  walls.polygons = {{{{4.9, 0}, {5.1, 0}, {5.1, 6}, {4.9, 6}}}};
+  const Scenario around = Scenario::continuous("around", {0, 0, 10, 10}, walls, {2, 2, 0}, {8, 2});
+  const World world(around, 0.05);
+  const References references = find_references(options, nullptr, world);
+  const double length = references.shortest->exact_length;
+  EXPECT_GT(length, 2 * std::hypot(2.9 - 0.25, 4.0));
+  EXPECT_EQ(time_limit(options, references), 4 * length / 0.1);
+  EXPECT_EQ(time_limit(options, find_earliest(options, world)), 4 * length / 0.1);
+  EXPECT_EQ(lack_of_time(options, world, references), "");
+  options.robot.max_v = 1;
+  EXPECT_EQ(time_limit(options, references), 60);
+
+  // A mover stands in the doorway for 30 s.
+  options.robot.radius = 0.2;
+  const Mover guard{"guard", 0.3, {{0, {5, 0.6}}, {30, {5, 0.6}}}, MoverEnd::Vanish};
+  const World doorway(Scenario::continuous("corridor", {0, 0, 10, 1.2}, {}, {1, 0.6, 0}, {9, 0.6})
+                          .with_movers({guard}),
+                      0.05);
+  const References among = find_references(options, nullptr, doorway);
+  ASSERT_TRUE(among.arrival);
+  EXPECT_GT(among.arrival->certificate.lower_bound, 30);
+  EXPECT_EQ(time_limit(options, among), 4 * among.arrival->certificate.lower_bound);
+  EXPECT_EQ(time_limit(options, find_earliest(options, doorway)), time_limit(options, among));
+}
+
+TEST(TimeLimit, TooLittleTimeIsProvedUpToTheToleranceOfTheGoal) {
+  CampaignOptions options;
+  options.robot.max_v = 0.26;
+  const World hall(Scenario::continuous("hall", {0, 0, 30, 4}, {}, {1, 2, 0}, {27.8, 2}), 0.05);
+  const References references = find_references(options, nullptr, hall);
+  const double earliest = (26.8 - options.simulation.goal_tolerance) / 0.26;  // 102.3 s
+  options.simulation.max_time = 60;
+  EXPECT_EQ(lack_of_time(options, hall, references),
+            "nobody can arrive within 60 s: the shortest path takes 102.3 s at 0.26 m/s");
+  options.simulation.max_time = earliest + 0.01;
+  EXPECT_EQ(lack_of_time(options, hall, references), "");
+  options.simulation.max_time = earliest - 0.01;
+  EXPECT_NE(lack_of_time(options, hall, references), "");
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST(RunDraws, UseTheOptionsOfADraw) {
   const auto draw = [](std::size_t index) -> std::optional<RunDraw> {
     CampaignOptions options = options_of_draws();
     options.odometry = {};
-    options.robot.max_v = index == 0 ? 1 : 0.2;  // 2 m in 5 s
+    options.robot.max_v = index == 0 ? 1 : 0.37;  // 1.8 m in 5 s, and it has to speed up
     return RunDraw{corridor(1), options};
   };
   const std::vector<DrawnRun> runs = runs_of(draw, 2, 1);
@@ -139,6 +139,36 @@ TEST(RunDraws, WithoutASolvableScenarioAreNotExecuted) {
   const auto draw = [](std::size_t) -> std::optional<RunDraw> { return std::nullopt; };
   const std::vector<DrawnRun> runs = runs_of(draw, 1, 1);
   EXPECT_EQ(runs.at(0).outcome, Outcome::UnsolvableScenario);
+}
+
+TEST(RunDraws, InWhichNobodyCanArriveInTimeAreRefusedByName) {
+  const auto draw = [](std::size_t) -> std::optional<RunDraw> {
+    CampaignOptions options = options_of_draws();
+    options.robot.max_v = 0.3;
+    return RunDraw{corridor(1), options};
+  };
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "[simulation] max_time",
+                           {"scenario corridor_1: nobody can arrive within 5 s: the shortest path "
+                            "takes 6.0 s at 0.3 m/s",  // 1.8 m, up to the tolerance of the goal
+                            "auto"},
+                           [&] { runs_of(draw, 1, 1); }));
+}
+
+TEST(RunDraws, HaveTheTimeLimitOfTheirScenario) {
+  CampaignOptions options = options_of_draws();
+  options.simulation.max_time.reset();
+  options.robot.max_v = 0.02;  // 2 m in 100 s: the limit is 400 s
+  options.simulation.stuck_time = 20;
+  options.odometry = {};
+  const auto draw = [&](std::size_t) -> std::optional<RunDraw> {
+    return RunDraw{corridor(1), options};
+  };
+  Campaign campaign{options, {corridor(1)}, {ahead()}};
+  OutcomeSink sink;
+  run_campaign(campaign, sink, {1, *make_silent_progress(), nullptr});
+  const std::vector<DrawnRun> runs = runs_of(draw, 1, 1);
+  EXPECT_EQ(runs.at(0).outcome, Outcome::Success);
+  EXPECT_EQ(runs.at(0).trajectory_hash, sink.runs.at(runs.at(0).scenario_hash).trajectory_hash);
 }
 
 TEST(RunDraws, EndWithTheErrorOfADraw) {

@@ -20,6 +20,7 @@ struct Sample {
   std::uint64_t seed = 1;
   Shape kind = Shape::Disc;
   std::optional<Shape> drawn;
+  std::optional<double> limit;
   void visit(OptionVisitor& v) {
     v.option("radius", radius, "m", "radius of the robot", Range::positive());
     v.option("rays", rays, "-", "rays of a scan", Range::between(2, 1000));
@@ -27,6 +28,7 @@ struct Sample {
     v.option("seed", seed, "seed of the noise");
     v.option("kind", kind, "kind of footprint");
     v.option("drawn", drawn, "as which it is drawn", "as_is");
+    v.option("limit", limit, "s", "time of a run", Range::positive(), "auto");
   }
 };
 
@@ -64,6 +66,27 @@ TEST(Options, InvalidValuesAreRefusedWithTheirKeyAndRange) {
   EXPECT_TRUE(refused("forward", "maybe", {"'maybe'", "expected true or false"}));
   EXPECT_TRUE(refused("kind", "cube", {"'cube'", "expected one of disc, polygon"}));
   EXPECT_TRUE(refused("drawn", "cube", {"'cube'", "expected one of as_is, disc, polygon"}));
+}
+
+TEST(Options, ANumberWithAWordForNoneIsEither) {
+  const auto read = [](const std::string& text) {
+    return read_options<Sample>(IniFile::from_text("[s]\nlimit = " + text + "\n"), "s").limit;
+  };
+  EXPECT_EQ(read("2.5"), 2.5);
+  EXPECT_EQ(read("auto"), std::nullopt);
+  for (const char* value : {"soon", "0", "-1", "nan", "inf", "Auto", "autos"})
+    EXPECT_TRUE(refused("limit", value,
+                        {"'" + std::string(value) + "'", "expected a number > 0, or auto, in s"}));
+  Sample options;
+  for (const std::optional<double> limit : {std::optional<double>(), std::optional<double>(0.1)}) {
+    options.limit = limit;
+    IniFile ini;
+    write_options(ini, "s", options, "Options ");
+    EXPECT_EQ(read_options<Sample>(ini, "s").limit, limit);
+    EXPECT_NO_THROW(check_options(options, location_of("run")));
+  }
+  options.limit = -1;
+  EXPECT_THROW(check_options(options, location_of("run")), Error);
 }
 
 TEST(Options, UnknownKeysAreRefusedWithTheNearestName) {
@@ -125,6 +148,8 @@ TEST(Options, TheListerShowsDefaultUnitRangeAndHelp) {
   EXPECT_NE(lister.text().find("kind of footprint (disc | polygon)"), std::string::npos);
   EXPECT_NE(lister.text().find("drawn = as_is "), std::string::npos);
   EXPECT_NE(lister.text().find("(as_is | disc | polygon)"), std::string::npos);
+  EXPECT_NE(lister.text().find("limit = auto s "), std::string::npos) << lister.text();
+  EXPECT_NE(lister.text().find("time of a run (> 0, or auto)"), std::string::npos);
 }
 
 struct Seeded {

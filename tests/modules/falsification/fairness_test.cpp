@@ -108,6 +108,20 @@ TEST(Fairness, AWitnessProvesThatTheScenarioCanBeSolved) {
   EXPECT_TRUE(judge_failure(setup, passage(), failure, options).fair());
 }
 
+TEST(Fairness, AScenarioInWhichNobodyCanArriveInTimeIsUnfair) {
+  FalsificationSetup setup = planted_setup("squeeze");
+  const Trial failure = squeeze_trial(setup);
+  FairnessOptions options;
+  options.witness = false;
+  ASSERT_TRUE(judge_failure(setup, passage(), failure, options).fair());
+  setup.run.simulation.max_time = 1;
+  const std::vector<std::string> violations =
+      judge_failure(setup, passage(), failure, options).violations;
+  EXPECT_TRUE(std::any_of(violations.begin(), violations.end(), [](const std::string& violation) {
+    return violation.find("nobody can arrive within 1 s: ") == 0;
+  }));
+}
+
 /// A method that drives straight on, whatever is ahead.
 class Straight : public Method {
  public:

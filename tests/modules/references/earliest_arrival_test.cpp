@@ -44,7 +44,7 @@ double lower_bound_in(const World& world, double max_time) {
   const PlanningProblem problem = problem_of(world, kArrivalRadius);
   const ArrivalLimits limits{kArrivalSpeed, kGoalTolerance, max_time};
   return arrival::moving_bound(problem, limits,
-                               arrival::static_bound(problem, shortest_in(world), limits),
+                               earliest_without_movers(problem, shortest_in(world), limits),
                                std::numeric_limits<double>::infinity());
 }
 

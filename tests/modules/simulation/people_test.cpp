@@ -97,7 +97,7 @@ TEST(People, WhoNoticeTheRobotWalkAroundItWhenItStands) {
     const World world(with_people({passer_by()}), 0.05);
     FunctionMethod still = constant_method(0, 0);
     RunSetup setup = setup_of(1, model);
-    setup.simulation.stuck_time = setup.simulation.max_time = 20;
+    setup.simulation.max_time = setup.simulation.stuck_time = 20;
     const SimulationResult result = simulate(world, setup, 1, still);
     EXPECT_EQ(result.outcome, Outcome::Timeout) << result.detail;
     EXPECT_LT(distance_between(result.movers.at(0).position(20), TPoint2D(2, 5)), 0.3);

@@ -38,6 +38,19 @@ TEST(SimulationOptions, RefusesRunsWithTooManyControlPeriods) {
   EXPECT_TRUE(refused("max_time = 1e9\n", "2: [simulation] max_time: ", {"control periods"}));
 }
 
+TEST(SimulationOptions, TheTimeLimitIsTheOneGivenOrFollowsFromTheEarliestArrival) {
+  SimulationOptions options;
+  EXPECT_EQ(options.time_limit(), 60);
+  for (const double earliest : {0.0, 1.0, 15.0, 15.5, 103.1, 2000.0})
+    EXPECT_EQ(options.time_limit(earliest), earliest > 15 ? 4 * earliest : 60);
+  options.time_factor = 2;
+  EXPECT_EQ(options.time_limit(103), 206);
+  EXPECT_EQ(options.time_limit(1e9), 0.1 * 1e6) << "a million control periods";
+  options.max_time = 5;
+  EXPECT_EQ(options.time_limit(103), 5);
+  EXPECT_TRUE(refused("time_factor = 0.5\n", "2: [simulation] time_factor: ", {"'0.5'", ">= 1"}));
+}
+
 TEST(SimulationOptions, SuggestsTheNearestKey) {
   EXPECT_TRUE(
       refused("goal_tolerence = 1\n", "2: [simulation] goal_tolerence: ", {"'goal_tolerance'"}));

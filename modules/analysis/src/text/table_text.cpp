@@ -142,7 +142,7 @@ std::string render_tables_text(const ResultTable& table, const std::vector<BinSp
   Interpretation found;
   found.summary = build_summary(table, columns, options);
   found.cross_tables = build_cross_tables(table, rows, columns, options);
-  found.remarks = repeatability_notes(table);
+  found.remarks = notes_on_runs(table);
   found.footnote = privileged_footnote(table);
   return render_text(found);
 }

@@ -92,6 +92,7 @@ void CombinedResults::add(FileRows part) {
     expect_same_columns(table_.descriptors, added.descriptors, added.source);
   }
   const std::string name = std::filesystem::path(added.source).filename().string();
+  table_.lack_of_time.merge(added.lack_of_time);
   for (const std::string& what : added.damaged) table_.damaged.push_back(name + ": " + what);
   const bool is_shared = add_scenarios(part);
   refer_to(indexes_of(added.methods, methods_), added.method);
@@ -178,6 +179,7 @@ void CombinedResults::add_runs(FileRows& part, const std::vector<std::size_t>& r
 ResultTable finish_table(ResultTable table) {
   sort_rows(table);  // runs are written in any order
   add_success(table);
+  if (std::string note = note_on_time(table); !note.empty()) table.notes.push_back(std::move(note));
   for (std::string& note : kept_run_notes(table.manifest)) table.notes.push_back(std::move(note));
   return table;
 }

@@ -9,6 +9,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
+#include <slalom/results/lack_of_time.h>
 #include <slalom/trajectory/trajectory.h>
 
 #include <algorithm>
@@ -231,6 +232,8 @@ class ColumnReader {
           columns_.metrics[i].add_number(rows.number(metric_columns[i]));
         }
       }
+      if (std::string lack = lack_of_time_in(rows.text(RunColumn::OutcomeDetail)); !lack.empty())
+        columns_.lack_of_time[columns_.scenario_hashes[columns_.scenario.back()]] = std::move(lack);
       if (!details_) continue;
       columns_.details.push_back({std::strtoull(rows.text(RunColumn::Seed), nullptr, 10),
                                   rows.text(RunColumn::OutcomeDetail),

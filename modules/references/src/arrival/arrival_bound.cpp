@@ -175,14 +175,23 @@ class SquareSearch {
 
 }  // namespace
 
-double static_bound(const PlanningProblem& problem, const ShortestPath& shortest,
-                    const ArrivalLimits& limits) {
+double moving_bound(const PlanningProblem& problem, const ArrivalLimits& limits, double known,
+                    double limit) {
+  return std::min(limit, SquareSearch(problem, limits, limit).run(known));
+}
+
+}  // namespace slalom::arrival
+
+namespace slalom {
+
+double earliest_without_movers(const PlanningProblem& problem, const ShortestPath& shortest,
+                               const ArrivalLimits& limits) {
   const double tolerance = limits.goal_tolerance;
   const double clearance = problem.world.distance_field().clearance(problem.goal);
   double length = distance_between(problem.start, problem.goal);
   if (clearance >= problem.robot_radius + tolerance) {
     length = shortest.exact_length;
-  } else if (const double radius = radius_near_goal(problem, limits); radius > 0) {
+  } else if (const double radius = arrival::radius_near_goal(problem, limits); radius > 0) {
     std::string reason;
     const auto path =
         shortest_disc_path(problem.world.occupancy(), radius, problem.start, problem.goal, reason);
@@ -191,9 +200,4 @@ double static_bound(const PlanningProblem& problem, const ShortestPath& shortest
   return std::max(0.0, length - tolerance) / limits.max_speed;
 }
 
-double moving_bound(const PlanningProblem& problem, const ArrivalLimits& limits, double known,
-                    double limit) {
-  return std::min(limit, SquareSearch(problem, limits, limit).run(known));
-}
-
-}  // namespace slalom::arrival
+}  // namespace slalom

@@ -7,10 +7,6 @@
 
 namespace slalom::arrival {
 
-/// A lower bound (s) of every arrival in the goal region without movers.
-double static_bound(const PlanningProblem& problem, const ShortestPath& shortest,
-                    const ArrivalLimits& limits);
-
 /// A lower bound (s) of every arrival in the goal region among the movers that is before `limit`,
 /// by the search over squares (earliest_arrival.h); at least `known`, a lower bound itself. `limit`
 /// if there is no arrival before it.

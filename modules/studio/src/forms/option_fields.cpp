@@ -33,6 +33,8 @@ FormField field_of(const Option& option, const std::string& prefix) {
     field.kind = FieldKind::Number;
     field.required = std::isfinite(*number);
     if (!field.required) field.value.clear();
+  } else if (option.get_if<std::optional<double>>() != nullptr) {
+    field.kind = FieldKind::Text;  // a number or a word
   } else if (option.get_if<bool>() != nullptr) {
     field.kind = FieldKind::Flag;
   } else if (option.get_if<std::string>() != nullptr) {

@@ -18,6 +18,7 @@ struct RecorderOptions {
   WallClock clock = steady_seconds;
   /// Receives one line when another program that reads the file delays storing; null: ignored.
   std::function<void(const std::string&)> notify = nullptr;
+  std::function<void(const std::string&)> warn = nullptr;  ///< likewise CampaignSink::warn()
 };
 
 /// Finished results are on disk after this time (s), also while further runs take long.
@@ -47,6 +48,7 @@ class CampaignRecorder : private CampaignSink {
  private:
   std::optional<References> known_references(const Scenario& scenario) override;
   bool has_run(const Scenario& scenario, const RunSpec& spec) override;
+  void warn(const std::string& line) override;
   void add_scenario(const ScenarioRecord& record, const References& references,
                     const PackedScenario& packed) override;
   void add_run(const RunRecord& run, const RunTiming& timing,

@@ -20,6 +20,21 @@ namespace slalom {
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world);
 
+/// Those references only from which time_limit() and lack_of_time() follow.
+References find_earliest(const RunSetup& setup, const World& world);
+
+/// s, SimulationOptions::time_limit() of the runs in a scenario: the earliest possible arrival is
+/// the larger of the time that the shortest path takes at full speed, and of the lower bound among
+/// movers.
+double time_limit(const RunSetup& setup, const References& references);
+
+/// Whether lack_of_time() has to look at the scenario.
+bool may_lack_time(const RunSetup& setup, const References& references);
+
+/// Why no run in a scenario can end in time, which is proved: "nobody can arrive within 60 s: the
+/// shortest path takes 103.1 s at 0.26 m/s". Empty if that is not known.
+std::string lack_of_time(const RunSetup& setup, const World& world, const References& references);
+
 /// The values of the enabled metrics of a run, by id. `movers` and `hindrances` as in
 /// SimulationResult.
 std::map<std::string, VersionedValue> measure_run(const CampaignOptions& options,

@@ -24,6 +24,8 @@ class CampaignSink {
   /// The references of a scenario that the sink has; none otherwise.
   virtual std::optional<References> known_references(const Scenario&) { return std::nullopt; }
   virtual bool has_run(const Scenario&, const RunSpec&) { return false; }
+  /// A line before the first run, without which its results would be misunderstood.
+  virtual void warn(const std::string&) {}
   virtual void add_scenario(const ScenarioRecord& record, const References& references,
                             const PackedScenario& packed) = 0;
   virtual void add_run(const RunRecord& run, const RunTiming& timing,

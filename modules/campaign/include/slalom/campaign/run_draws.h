@@ -28,6 +28,7 @@ struct DrawnRun {
   std::string detail, scenario_hash, trajectory_hash;
   std::optional<double> value;  ///< of the metric; none if it is not available
   double cycle_time = 0;        ///< ms of wall-clock time; 99 % quantile of the control cycles
+  bool lacks_time = false;      ///< lack_of_time(); never received
 };
 
 /// How runs are executed; neither workers nor interruption affect a run.
@@ -42,7 +43,8 @@ struct DrawExecution {
 /// options and one repetition does. Passes the runs to `receive` in the order of their indexes
 /// until it returns false, or `max_runs` of them; what workers have begun beyond that is dropped.
 /// A method that crashes, or exceeds a limit, has the outcome that it has in a campaign. Returns
-/// false if interrupted. Throws Error (Job) if a run cannot be executed for another reason.
+/// false if interrupted. Throws Error (Job) if a run cannot be executed for another reason, and
+/// Error (Usage) if nobody can arrive in a scenario within [simulation] max_time.
 bool run_draws(const NamedMethod& method, const CampaignOptions& options, const DrawRun& draw,
                std::size_t max_runs, const DrawExecution& execution,
                const std::function<bool(const DrawnRun&)>& receive);

@@ -29,7 +29,8 @@ enum class External {
 
 /// An option of a plain struct: its declaration and a reference to its value.
 struct Option {
-  using Value = std::variant<double*, int*, std::uint64_t*, bool*, std::string*>;
+  using Value =
+      std::variant<double*, std::optional<double>*, int*, std::uint64_t*, bool*, std::string*>;
 
   std::string key;
   Value value;
@@ -37,6 +38,7 @@ struct Option {
   Range range = Range::any();        ///< of numbers
   std::vector<std::string> choices;  ///< of a text; empty: any
   External external = External::None;
+  std::string absent = "";  ///< the word for an optional number that has no value
 
   /// The value, if it is of that type, otherwise nullptr.
   template <typename T>
@@ -73,6 +75,11 @@ class OptionVisitor {
   void option(const std::string& key, Number& value, const std::string& unit,
               const std::string& help, Range range = Range::any()) {
     visit({key, &value, unit, help, range, {}, External::None});
+  }
+  /// A number, or the word `absent` for none.
+  void option(const std::string& key, std::optional<double>& value, const std::string& unit,
+              const std::string& help, Range range, const std::string& absent) {
+    visit({key, &value, unit, help, range, {}, External::None, absent});
   }
   /// A seed: an integer from 0 to 2^63 - 1.
   void option(const std::string& key, std::uint64_t& value, const std::string& help) {

@@ -46,6 +46,10 @@ std::optional<EarliestArrival> earliest_arrival(const PlanningProblem& problem,
                                                 const ShortestPath& shortest,
                                                 const ArrivalLimits& limits, std::string& reason);
 
+/// The first of these lower bounds (s), whatever moves.
+double earliest_without_movers(const PlanningProblem& problem, const ShortestPath& shortest,
+                               const ArrivalLimits& limits);
+
 /// Adds the earliest arrival, or the reason, to the references of a problem with movers and a
 /// shortest path; nothing to others.
 void add_earliest_arrival(const PlanningProblem& problem, const ArrivalLimits& limits,

@@ -35,4 +35,7 @@ std::map<std::string, Repeatability> repeatability_of(const Manifest& manifest);
 /// One sentence for each method of the table that is not repeatable.
 std::vector<std::string> repeatability_notes(const ResultTable& table);
 
+/// These, and note_on_time(): what a reader of any value has to know.
+std::vector<std::string> notes_on_runs(const ResultTable& table);
+
 }  // namespace slalom

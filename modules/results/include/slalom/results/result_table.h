@@ -84,6 +84,8 @@ struct ResultTable {
   std::vector<std::string> damaged;
   /// Columns of a foreign table that are no metrics, and why: "line 7: 'DNF' is not a number".
   std::vector<std::pair<std::string, std::string>> unread;
+  /// Why no run can end in time, by the hash of the scenario; see lack_of_time.h.
+  std::map<std::string, std::string> lack_of_time;
   std::vector<std::string> notes;  ///< how a foreign table was read, where that is not obvious
 
   std::size_t size() const { return scenario.size(); }
@@ -95,6 +97,9 @@ Value success_of(const std::string& outcome);
 
 /// Adds the metric "success" derived from the outcome if it is missing.
 void add_success(ResultTable& columns);
+
+/// lack_of_time_note() of the table.
+std::string note_on_time(const ResultTable& table);
 
 /// Adds each name to `names` once; for columns that refer to names by index.
 class NameIndex {

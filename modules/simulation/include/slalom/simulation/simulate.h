@@ -12,16 +12,21 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slalom {
 
+/// A limit of time that follows from the scenario is at most that many control periods.
+constexpr double kMaxAutoCycles = 1e6;
+
 /// Section [simulation].
 struct SimulationOptions {
   double control_period = 0.1;           ///< s, one observation and command per period
   double step = 0.01;                    ///< s, motion and collision step; divides control_period
-  double max_time = 60;                  ///< s
+  std::optional<double> max_time;        ///< s; none: by time_limit()
+  double time_factor = 4;                ///< of time_limit()
   double goal_tolerance = 0.2;           ///< m
   double goal_heading_tolerance = 0.25;  ///< rad, of goals with a heading
   double stuck_time = 8;                 ///< s
@@ -32,6 +37,10 @@ struct SimulationOptions {
   /// Throws Error (Usage) unless step divides control_period, and max_time has a feasible number of
   /// control periods.
   void check(const OptionLocation& where) const;
+  /// s, the simulated time after which a run is a timeout: max_time. Without one the larger of 60 s
+  /// and time_factor times `earliest` (s), the earliest possible arrival as far as it is known, but
+  /// at most kMaxAutoCycles control periods.
+  double time_limit(double earliest = 0) const;
 };
 
 /// Throws Error (Usage) unless the period of people is a multiple of the control period: the
