@@ -5,7 +5,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
-#include <slalom/simulation/footprint_contact.h>
+#include <slalom/references/footprint_contact.h>
 
 #include <mrpt/math/wrap2pi.h>
 #include <ompl/base/ScopedState.h>

@@ -216,7 +216,7 @@ CampaignConfig read_campaign(const IniFile& ini) {
   config.effective_ini = effective_ini(ini, config);
   const RunSetup& setup = config.options;
   config.sources = read_scenario_sources(
-      ini, {setup.robot.radius, setup.simulation.resolution, config.options.seed},
+      ini, source_context(setup.robot, setup.simulation.resolution, config.options.seed),
       load_occupancy_grid);
   return config;
 }

@@ -30,7 +30,7 @@ MapLoader caching_loader() {
 ScenarioSources read_sources(const IniFile& ini, double resolution, const MapLoader& load_map) {
   const RobotModel robot = read_robot_model(ini);
   read_sensor_model(ini);
-  ScenarioSources sources = read_scenario_sources(ini, {robot.radius, resolution}, load_map);
+  ScenarioSources sources = read_scenario_sources(ini, source_context(robot, resolution), load_map);
   if (!sources.section.list.empty())
     throw usage_error(ini.where("scenarios", "list"), "scenarios are drawn for each run",
                       "generator and maps only");

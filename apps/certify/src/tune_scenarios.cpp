@@ -28,7 +28,8 @@ std::vector<Scenario> draw(const MethodCampaign& campaign, const std::string& la
   const std::uint64_t seed = derive_seed(campaign.options.seed, "tune/" + label);
   const RobotModel& robot = campaign.options.robot;
   const ScenarioSources sources = read_scenario_sources(
-      ini, {robot.radius, campaign.options.simulation.resolution, seed, jobs}, load_occupancy_grid);
+      ini, source_context(robot, campaign.options.simulation.resolution, seed, jobs),
+      load_occupancy_grid);
   const auto silent = make_silent_progress();
   std::vector<Scenario> scenarios = collect_scenarios(sources, load_occupancy_grid, *silent);
   RandomEngine engine(seed);

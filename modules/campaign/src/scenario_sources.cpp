@@ -46,7 +46,9 @@ std::vector<WeightedGenerator> read_mix(const IniFile& ini, const ScenariosSecti
   refuse_unknown_families(ini);
   GeneratorContext families;
   families.load_map = load_map;
-  if (section.scale_by_robot) families.length_scale = context.robot_radius / kUnscaledRadius;
+  const double half_width =
+      context.footprint ? context.footprint->half_width() : context.robot_radius;
+  if (section.scale_by_robot) families.length_scale = half_width / kUnscaledRadius;
   const std::vector<std::string> names = split(section.generator, ',');
   const std::vector<double> weights = read_weights(ini, section, names.size());
   std::vector<WeightedGenerator> mix;
@@ -94,7 +96,7 @@ void ScenariosSection::visit(OptionVisitor& v) {
   v.option("weights", weights, "weights of the families, comma-separated; empty: equal");
   v.option("count", count, "-", "scenarios to generate", Range::between(1, 1e7));
   v.option("scale_by_robot", scale_by_robot,
-           "multiply all lengths of the families by robot radius / 0.25 m");
+           "multiply all lengths of the families by half the width of the robot / 0.25 m");
   v.option("representation", representation, "representation of generated scenarios", "as_drawn");
   v.option("resolution", resolution, "m", "cell size or point spacing of that representation",
            Range::positive());
@@ -120,6 +122,11 @@ void ScenariosSection::visit(OptionVisitor& v) {
            Range::between(0.01, 100));
   v.option("person_max_speed", people.max_speed, "m/s", "highest preferred speed of a person",
            Range::between(0.01, 100));
+}
+
+SourceContext source_context(const RobotModel& robot, double resolution, std::uint64_t seed,
+                             int jobs) {
+  return {robot.radius, robot.turning_polygon(), resolution, seed, jobs};
 }
 
 ScenarioSources read_scenario_sources(const IniFile& ini, const SourceContext& context,

@@ -15,6 +15,7 @@ GenerationSettings generation_settings(const ScenarioSources& sources, int count
   settings.count = count;
   settings.seed = source_seed(context.seed, name);
   settings.robot_radius = context.robot_radius;
+  settings.footprint = context.footprint;
   settings.resolution = context.resolution;
   settings.name_prefix = name;
   settings.goal_headings = sources.section.goal_headings;

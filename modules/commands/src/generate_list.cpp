@@ -40,13 +40,11 @@ CoverageSettings coverage_settings(const IniFile& ini, const GenerationOptions& 
   return settings;
 }
 
-SourceContext source_context(const IniFile& ini, const GenerationOptions& options) {
+SourceContext read_context(const IniFile& ini, const GenerationOptions& options) {
   const RobotModel robot = read_robot_model(ini);
-  SourceContext context;
-  context.robot_radius = robot.radius;
-  context.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
-  context.seed = options.seed;
-  context.jobs = options.jobs;
+  SourceContext context =
+      source_context(robot, read_options<SimulationOptions>(ini, "simulation").resolution,
+                     options.seed, options.jobs);
   DescribeOptions described;
   described.ids = options.descriptors;
   for (const std::string& id : described.ids) descriptor(id);  // reports an unknown id early
@@ -107,7 +105,7 @@ std::optional<GeneratedBins> generate_list(ScenarioList& list, const IniFile& in
     bins->result = cover(bins->plan, settings, progress);
     keep_covered(list, bins->plan, bins->result);
   } else {
-    fill_from_sources(list, read_scenario_sources(ini, source_context(ini, options), load_map),
+    fill_from_sources(list, read_scenario_sources(ini, read_context(ini, options), load_map),
                       load_map, progress);
   }
   list.in_transaction([&] {
@@ -122,7 +120,7 @@ void check_generation(const IniFile& ini, const GenerationOptions& options) {
   if (section.list.empty() && section.maps.empty() && section.generator.empty())
     throw usage_error(ini.where("scenarios"), "no scenario source given",
                       "list, maps or generator");
-  const SourceContext context = source_context(ini, options);
+  const SourceContext context = read_context(ini, options);
   check_families(split(section.generator, ','), ini,
                  section.scale_by_robot ? context.robot_radius / kUnscaledRadius : 1);
   if (ini.has_section("coverage")) read_coverage_plan(ini, families_of(ini));

@@ -12,6 +12,7 @@ std::vector<Scenario> generate(std::shared_ptr<const Generator> family, int coun
   MixSettings mix;
   mix.each.count = count;
   mix.each.robot_radius = options.robot.shape().enclosing_radius();
+  mix.each.footprint = options.robot.turning_polygon();
   mix.each.resolution = options.simulation.resolution;
   mix.jobs = worker_count(options.workers);
   mix.walkers = options.walkers;

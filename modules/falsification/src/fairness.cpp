@@ -22,6 +22,13 @@ double certified(double widest, const World& world, double radius) {
   return std::max(0.0, widest - world.occupancy().resolution() * M_SQRT1_2) / radius;
 }
 
+/// m, of the discs that pass wherever the robot does: a polygon that rotates in place drives
+/// straight through.
+double passing_radius(const RobotModel& robot) {
+  const auto polygon = robot.turning_polygon();
+  return polygon ? polygon->half_width() : robot.shape().enclosing_radius();
+}
+
 /// People count as obstacles if they are there when the run begins.
 double start_clearance(const World& world, double radius) {
   const auto& start = world.scenario().start();
@@ -55,8 +62,8 @@ GeometryReport judge_geometry(const World& world, const RobotModel& robot,
   GeometryReport report;
   report.distance = distance_between(scenario.goal(), start);
   report.start_clearance = start_clearance(world, radius);
-  report.bottleneck =
-      certified(widest_bottleneck(world, {start.x, start.y}, scenario.goal()), world, radius);
+  report.bottleneck = certified(widest_bottleneck(world, {start.x, start.y}, scenario.goal()),
+                                world, passing_radius(robot));
   if (report.distance < options.min_distance - kRounding)
     report.violation = below("distance to the goal", report.distance, options.min_distance, "m");
   else if (report.start_clearance < options.min_start_clearance - kRounding)
@@ -74,17 +81,17 @@ bool has_fair_geometry(const World& world, const RobotModel& robot,
                        const FairnessOptions& options) {
   const Scenario& scenario = world.scenario();
   const auto& start = scenario.start();
-  const double radius = robot.shape().enclosing_radius();
+  const double radius = robot.shape().enclosing_radius(), passing = passing_radius(robot);
   if (distance_between(scenario.goal(), start) < options.min_distance - kRounding) return false;
   if (start_clearance(world, radius) < options.min_start_clearance - kRounding) return false;
   if (options.people_walk && !problem_of_people(world, radius).empty()) return false;
   const auto suffices = [&](double widest) {
-    return certified(widest, world, radius) >= options.min_bottleneck - kRounding;
+    return certified(widest, world, passing) >= options.min_bottleneck - kRounding;
   };
   if (suffices(0)) return true;
   // The smallest number that suffices, so that both functions agree to the last bit.
   double width =
-      (options.min_bottleneck - kRounding) * radius + world.occupancy().resolution() * M_SQRT1_2;
+      (options.min_bottleneck - kRounding) * passing + world.occupancy().resolution() * M_SQRT1_2;
   const auto next = [&width](double towards) { return std::nextafter(width, towards); };
   while (!suffices(width)) width = next(2 * width);
   while (suffices(next(0))) width = next(0);

@@ -209,6 +209,12 @@ Footprint Footprint::parse(const std::string& text, const std::string& where) {
   }
 }
 
+double Footprint::half_width() const {
+  double width = is_disc() ? enclosing_ : 0;
+  for (const TPoint2D& corner : corners_) width = std::max(width, std::abs(corner.y));
+  return width;
+}
+
 std::vector<TPoint2D> Footprint::corners_at(const TPose2D& pose) const {
   const auto [s, c] = math::sin_cos(pose.phi);
   std::vector<TPoint2D> transformed;

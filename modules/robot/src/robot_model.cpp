@@ -37,6 +37,11 @@ void RobotModel::visit(OptionVisitor& v) {
            Range::at_least(0));
 }
 
+std::optional<Footprint> RobotModel::turning_polygon() const {
+  if (footprint.empty() || min_turning_radius > 0) return std::nullopt;
+  return shape();
+}
+
 Footprint RobotModel::shape() const {
   return footprint.empty() ? Footprint::disc(radius) : Footprint::parse(footprint);
 }

@@ -3,6 +3,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
+#include <slalom/core/pose.h>
 #include <slalom/scenario/geometry.h>
 
 #include <mrpt/math/wrap2pi.h>
@@ -28,12 +29,6 @@ double turn_of(const TimedMotion& motion) {
 }
 
 }  // namespace
-
-TPose2D interpolate(const TPose2D& from, const TPose2D& to, double fraction) {
-  const double turn = mrpt::math::wrapToPi(to.phi - from.phi);
-  return {from.x + fraction * (to.x - from.x), from.y + fraction * (to.y - from.y),
-          mrpt::math::wrapToPi(from.phi + fraction * turn)};
-}
 
 MoverContact::MoverContact(const Movers& movers, const Footprint& footprint, double added_speed)
     : movers_(movers), footprint_(footprint), max_speed_(added_speed) {

@@ -45,8 +45,4 @@ class MoverContact {
   double free_travel_ = 0;
 };
 
-/// The pose at `fraction` from `from` to `to`.
-mrpt::math::TPose2D interpolate(const mrpt::math::TPose2D& from, const mrpt::math::TPose2D& to,
-                                double fraction);
-
 }  // namespace slalom

@@ -3,6 +3,7 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
+#include <slalom/core/pose.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/touched_mover.h>
 #include <slalom/trajectory/standing.h>

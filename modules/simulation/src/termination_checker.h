@@ -4,8 +4,8 @@
 #include "mover_contact.h"
 #include "run_movers.h"
 
+#include <slalom/references/footprint_contact.h>
 #include <slalom/scenario/world.h>
-#include <slalom/simulation/footprint_contact.h>
 #include <slalom/simulation/simulate.h>
 
 #include <mrpt/math/TPose2D.h>

@@ -99,6 +99,12 @@ TEST(ScenarioSources, FamiliesScaleWithTheRobot) {
   // 8 cells of a passage and a wall; twice as large for a robot radius of 0.5 m.
   EXPECT_NEAR(width("false"), 8 * (1.2 + 0.15), 1e-9);
   EXPECT_NEAR(width("true"), 16 * (1.2 + 0.15), 1e-9);
+  // A polygon passes where half its width does.
+  RobotModel robot;
+  robot.footprint = "0.6,0.25; -0.6,0.25; -0.6,-0.25; 0.6,-0.25";
+  robot.set_radius_of_footprint("robot");
+  context = source_context(robot, 0.05);
+  EXPECT_NEAR(width("true"), 8 * (1.2 + 0.15), 1e-9);
 }
 
 TEST(ScenarioSources, WalkersAreAddedToTheSameScenarios) {

@@ -25,7 +25,7 @@ TEST(Generate, GivesTheScenariosOfAProgramWithTheSameOptions) {
       "[generator.maze]\ncolumns = 5\nmin_distance = 4\n");
   const auto progress = make_silent_progress();
   const std::vector<Scenario> expected =
-      collect_scenarios(read_scenario_sources(ini, {0.25, 0.05, 3, 1}, {}), {}, *progress);
+      collect_scenarios(read_scenario_sources(ini, {0.25, {}, 0.05, 3, 1}, {}), {}, *progress);
   ASSERT_EQ(scenarios.size(), 6U);
   EXPECT_EQ(hashes_of(scenarios), hashes_of(expected));
   EXPECT_EQ(scenarios[0].name(), expected[0].name());

@@ -45,6 +45,12 @@ TEST(Footprint, APolygonHasAnInscribedAndAnEnclosingRadius) {
   EXPECT_DOUBLE_EQ(rectangle.enclosing_radius(), std::hypot(0.4, 0.25));
 }
 
+TEST(Footprint, HalfTheWidthIsThatToTheSideOfTheCenter) {
+  EXPECT_EQ(Footprint::disc(0.3).half_width(), 0.3);
+  EXPECT_EQ(Footprint::parse("0.8,0.2; -0.1,0.2; -0.1,-0.2; 0.8,-0.2").half_width(), 0.2);
+  EXPECT_EQ(Footprint::parse("0.8,0.1; -0.1,0.1; -0.1,-0.3; 0.8,-0.3").half_width(), 0.3);
+}
+
 TEST(Footprint, CornersMayBeInEitherOrder) {
   const Footprint left = Footprint::parse("1,0; 0,1; -1,-1");
   const Footprint right = Footprint::parse("-1,-1; 0,1; 1,0");

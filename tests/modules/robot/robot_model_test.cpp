@@ -137,5 +137,15 @@ TEST(RobotModel, RefusesInvalidFootprints) {
                            [&] { read("radius = 0.3\nfootprint = 1,0; 0,1; -1,-1\n"); }));
 }
 
+TEST(RobotModel, APolygonThatRotatesInPlaceIsNeitherADiscNorACar) {
+  RobotModel robot;
+  EXPECT_FALSE(robot.turning_polygon());
+  robot.footprint = "0.4,0.2; -0.4,0.2; -0.4,-0.2; 0.4,-0.2";
+  ASSERT_TRUE(robot.turning_polygon());
+  EXPECT_EQ(robot.turning_polygon()->half_width(), 0.2);
+  robot.min_turning_radius = 0.5;
+  EXPECT_FALSE(robot.turning_polygon());
+}
+
 }  // namespace
 }  // namespace slalom

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "test_runs.h"
 
-#include <slalom/simulation/footprint_contact.h>
+#include <slalom/references/footprint_contact.h>
 #include <slalom/simulation/run_observer.h>
 
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include <slalom/core/distance.h>
 #include <slalom/references/earliest_arrival.h>
 #include <slalom/references/exact_shortest.h>
+#include <slalom/references/footprint_contact.h>
 #include <slalom/simulation/evaluate_trajectory.h>
-#include <slalom/simulation/footprint_contact.h>
 #include <slalom/simulation/mover_scan.h>
 
 #include <gtest/gtest.h>

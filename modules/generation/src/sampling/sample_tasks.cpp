@@ -15,10 +15,11 @@ namespace {
 using mrpt::math::TPoint2D;
 
 /// The connected components (8-neighborhood) of the cell centers with at least `radius` of
-/// clearance: rejects most unconnected pairs without a path search.
+/// clearance: rejects most unconnected pairs without a path search. Positions are drawn among those
+/// with at least `room`.
 class FreeRegions {
  public:
-  FreeRegions(const World& map, double radius)
+  FreeRegions(const World& map, double radius, double room)
       : cells_(map.occupancy()), field_(map.distance_field()), region_(cells_.cells().size(), -1) {
     int regions = 0;
     for (std::size_t i = 0; i < region_.size(); ++i) {
@@ -26,7 +27,7 @@ class FreeRegions {
       flood(i, regions++, radius);
     }
     for (std::size_t i = 0; i < region_.size(); ++i)
-      if (region_[i] >= 0) free_.push_back(i);
+      if (region_[i] >= 0 && is_free(i, room)) free_.push_back(i);
   }
 
   bool empty() const { return free_.empty(); }
@@ -80,6 +81,12 @@ void expect_range(const char* what, double low, double high, double least) {
       "a lower limit of at least " + format_number(least) + ", not above the upper limit");
 }
 
+/// m, of a disc that passes wherever the robot does: half the width of a polygon that drives
+/// straight through.
+double passing_radius(const GenerationSettings& settings) {
+  return settings.footprint ? settings.footprint->half_width() : settings.robot_radius;
+}
+
 /// Checks the constraints of a pair: from its positions alone, and from its shortest path.
 class TaskFilter {
  public:
@@ -104,7 +111,7 @@ class TaskFilter {
         limits_.min_length <= any.min_length && limits_.max_length >= any.max_length &&
         limits_.min_detour <= any.min_detour && limits_.max_detour >= any.max_detour;
     if (any_path) return true;
-    const auto path = exact_shortest_path({map_, settings_.robot_radius, start, goal}, reason);
+    const auto path = exact_shortest_path({map_, passing_radius(settings_), start, goal}, reason);
     if (!path) return false;
     const double detour = path->length / distance_between(goal, start);
     if (path->length < limits_.min_length || path->length > limits_.max_length) {
@@ -137,7 +144,8 @@ std::vector<Scenario> sample_tasks(const Scenario& map, const GenerationSettings
   constexpr double kMargin = 0.05;  // m, so that the robot does not start in contact
   constexpr int kDrawsPerAttempt = 1000;
   const World world(map, settings.resolution);
-  const FreeRegions regions(world, settings.robot_radius + kMargin);
+  const FreeRegions regions(world, passing_radius(settings) + kMargin,
+                            settings.robot_radius + kMargin);
   const TaskFilter filter(world, settings, limits);
   const SolvableSearch search(settings);
   std::set<std::string> hashes;

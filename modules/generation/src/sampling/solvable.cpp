@@ -4,6 +4,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/random.h>
 #include <slalom/references/disc_path.h>
+#include <slalom/references/footprint_path.h>
 #include <slalom/scenario/widest_path.h>
 
 #include <fmt/format.h>
@@ -34,6 +35,15 @@ bool is_certified(const PlanningProblem& problem, std::string& reason) {
   return false;
 }
 
+bool is_certified(const World& world, const GenerationSettings& settings, std::string& reason) {
+  constexpr double kMargin = 0.01;  // m, that methods need beyond what the shape needs
+  const mrpt::math::TPose2D& start = world.scenario().start();
+  const mrpt::math::TPoint2D& goal = world.scenario().goal();
+  if (is_certified({world, settings.robot_radius, {start.x, start.y}, goal}, reason)) return true;
+  return settings.footprint &&
+         find_footprint_path(world, *settings.footprint, start, goal, kMargin, reason);
+}
+
 SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
                                    int first_attempt) const {
   std::map<std::string, int> reasons;
@@ -42,12 +52,9 @@ SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
     std::string reason;
     if (std::optional<Scenario> candidate = draw(attempt, reason)) {
       auto world = std::make_unique<const World>(std::move(*candidate), settings_.resolution);
-      const auto& start = world->scenario().start();
-      const PlanningProblem problem{
-          *world, settings_.robot_radius, {start.x, start.y}, world->scenario().goal()};
       if (starts_in_wall(*world))
         reason = "a person starts in a wall";
-      else if (is_certified(problem, reason))
+      else if (is_certified(*world, settings_, reason))
         return {std::move(world), attempt};
     }
     ++reasons[reason];
@@ -56,8 +63,11 @@ SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
   for (const auto& [reason, times] : reasons)
     counts += fmt::format("{}{} times: {}", counts.empty() ? "" : "; ", times, reason);
   throw job_error(name,
-                  fmt::format("no solvable scenario for a robot of radius {} m in {} attempts ({})",
-                              settings_.robot_radius, settings_.attempts_per_scenario, counts),
+                  fmt::format("no solvable scenario for {} in {} attempts ({})",
+                              settings_.footprint
+                                  ? "the robot's footprint"
+                                  : fmt::format("a robot of radius {} m", settings_.robot_radius),
+                              settings_.attempts_per_scenario, counts),
                   "fewer or smaller obstacles, or a smaller robot");
 }
 

@@ -11,10 +11,14 @@
 
 namespace slalom {
 
-/// Whether the robot has a path, and also one over cell centers: a passage that it fits through to
+/// Whether a disc has a path, and also one over cell centers: a passage that it fits through to
 /// rounding errors only would make a scenario solvable that no method can solve, and that has no
 /// safest path and no bottleneck width.
 bool is_certified(const PlanningProblem& problem, std::string& reason);
+
+/// The same for the robot. A polygon has a path if its enclosing disc has, or if
+/// find_footprint_path() finds one for the polygon.
+bool is_certified(const World& world, const GenerationSettings& settings, std::string& reason);
 
 /// A certified scenario with its world model.
 struct SolvableWorld {

@@ -4,6 +4,7 @@
 #include <slalom/core/error.h>
 #include <slalom/generation/generator.h>
 #include <slalom/references/exact_shortest.h>
+#include <slalom/references/footprint_path.h>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,28 @@ std::vector<Scenario> generate(const GenerationSettings& settings, const std::st
   const auto generator = make_generator("random", IniFile::from_text(ini));
   const auto progress = make_silent_progress();
   return generate_solvable(*generator, settings, *progress);
+}
+
+TEST(GenerateSolvable, PassagesForAPolygonMayBeNarrowerThanItsDisc) {
+  // 0.84 m by 0.42 m, as teb_local_planner's issue 28 has it.
+  GenerationSettings settings = small_settings(6);
+  settings.footprint = Footprint::parse("0.42,0.21; -0.42,0.21; -0.42,-0.21; 0.42,-0.21");
+  settings.robot_radius = settings.footprint->enclosing_radius();
+  settings.attempts_per_scenario = 20;
+  const auto generator = make_generator(
+      "passage", IniFile::from_text("[generator.passage]\nmin_width = 0.7\nmax_width = 0.72\n"));
+  const auto progress = make_silent_progress();
+  for (const Scenario& scenario : generate_solvable(*generator, settings, *progress)) {
+    const World world(scenario, 0.05);
+    std::string reason;
+    EXPECT_TRUE(find_footprint_path(world, *settings.footprint, scenario.start(), scenario.goal(),
+                                    0.01, reason))
+        << reason;
+  }
+  settings.footprint.reset();
+  EXPECT_TRUE(throws_error(ErrorKind::Job, "random_0000",
+                           {"no solvable scenario for a robot of radius 0.469"},
+                           [&] { generate_solvable(*generator, settings, *progress); }));
 }
 
 TEST(GenerateSolvable, EveryScenarioHasAPathForTheRobot) {

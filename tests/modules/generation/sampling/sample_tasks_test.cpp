@@ -2,6 +2,7 @@
 #include <slalom/core/error.h>
 #include <slalom/generation/generator.h>
 #include <slalom/references/exact_shortest.h>
+#include <slalom/references/footprint_path.h>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,27 @@ TEST(SampleTasks, PairsAreSolvableDistinctAndFarEnoughApart) {
         << reason;
   }
   EXPECT_EQ(hashes.size(), 10U);
+}
+
+TEST(SampleTasks, AreThoseOfTheShapeOfARobotThatTurnsInPlace) {
+  // 1.2 m long and 0.6 m wide, with its center at the rear: its disc of 0.95 m does not pass the
+  // door of 1 m.
+  GenerationSettings settings = pairs(12);
+  settings.footprint = Footprint::parse("0.9,0.3; -0.3,0.3; -0.3,-0.3; 0.9,-0.3");
+  settings.robot_radius = settings.footprint->enclosing_radius();
+  int through = 0;
+  for (const Scenario& s : sample_tasks(two_rooms(true), settings, 6)) {
+    const World world(s, 0.1);
+    std::string reason;
+    EXPECT_TRUE(find_footprint_path(world, *settings.footprint, s.start(), s.goal(), 0.01, reason))
+        << reason;
+    EXPECT_GE(world.distance_field().clearance({s.start().x, s.start().y}), settings.robot_radius);
+    through += (s.start().x < 10) != (s.goal().x < 10) ? 1 : 0;
+  }
+  EXPECT_GT(through, 0);
+  settings.footprint.reset();
+  for (const Scenario& s : sample_tasks(two_rooms(true), settings, 6))
+    EXPECT_EQ(s.start().x < 10, s.goal().x < 10);
 }
 
 TEST(SampleTasks, NeverPairsUnconnectedRooms) {

@@ -6,6 +6,7 @@
 #include <slalom/core/progress.h>
 #include <slalom/generation/generate_mix.h>
 #include <slalom/io/scenario_list.h>
+#include <slalom/robot/robot_model.h>
 #include <slalom/scenario/scenario.h>
 
 #include <cstdint>
@@ -25,7 +26,7 @@ struct ScenariosSection {
   std::string generator;        ///< families, comma-separated; options in [generator.NAME]
   std::string weights;          ///< weights of the families, comma-separated; empty: equal
   int count = 60;               ///< scenarios to generate
-  bool scale_by_robot = false;  ///< scale lengths by robot radius / kUnscaledRadius
+  bool scale_by_robot = false;  ///< scale lengths by the robot's half width / kUnscaledRadius
   std::optional<Representation> representation;  ///< of generated scenarios; none: as drawn
   double resolution = 0.05;                      ///< m, of that representation
   bool goal_headings = false;                    ///< random ones, of generated and sampled goals
@@ -39,18 +40,24 @@ struct ScenariosSection {
 /// and goals on it.
 Scenario map_scenario(const std::string& path, const mrpt::maps::COccupancyGridMap2D& grid);
 
-/// m; with scale_by_robot, lengths of families are multiplied by the robot radius divided by this.
+/// m; with scale_by_robot, lengths of families are multiplied by the robot's half width divided by
+/// this.
 constexpr double kUnscaledRadius = 0.25;
 
 /// The robot and the seed for which scenarios are generated.
 struct SourceContext {
-  double robot_radius = 0.25;  ///< m
-  double resolution = 0.05;    ///< m
+  double robot_radius = 0.25;                         ///< as in GenerationSettings
+  std::optional<Footprint> footprint = std::nullopt;  ///< likewise
+  double resolution = 0.05;                           ///< m
   std::uint64_t seed = 1;
   int jobs = 1;  ///< threads; the scenarios do not depend on their number
   /// Computes values to store with generated scenarios; called concurrently.
   std::function<std::vector<KeyedValue>(const World&)> describe = {};
 };
+
+/// The same for a robot.
+SourceContext source_context(const RobotModel& robot, double resolution, std::uint64_t seed = 1,
+                             int jobs = 1);
 
 /// The sources of scenarios as values.
 struct ScenarioSources {

@@ -4,6 +4,7 @@
 #include <slalom/core/math.h>
 
 #include <mrpt/math/TPose2D.h>
+#include <mrpt/math/wrap2pi.h>
 
 namespace slalom {
 
@@ -23,6 +24,14 @@ inline mrpt::math::TPoint2D inverse_compose(const mrpt::math::TPose2D& pose,
   const auto [s, c] = math::sin_cos(pose.phi);
   const double dx = point.x - pose.x, dy = point.y - pose.y;
   return {dx * c + dy * s, -dx * s + dy * c};
+}
+
+/// The pose at `fraction` from `from` to `to`: the position and the heading change linearly.
+inline mrpt::math::TPose2D interpolate(const mrpt::math::TPose2D& from,
+                                       const mrpt::math::TPose2D& to, double fraction) {
+  const double turn = mrpt::math::wrapToPi(to.phi - from.phi);
+  return {from.x + fraction * (to.x - from.x), from.y + fraction * (to.y - from.y),
+          mrpt::math::wrapToPi(from.phi + fraction * turn)};
 }
 
 }  // namespace slalom

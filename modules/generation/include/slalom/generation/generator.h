@@ -5,12 +5,14 @@
 #include <slalom/core/options.h>
 #include <slalom/core/progress.h>
 #include <slalom/core/random.h>
+#include <slalom/robot/footprint.h>
 #include <slalom/scenario/scenario.h>
 
 #include <functional>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,8 +58,11 @@ std::uint64_t source_seed(std::uint64_t seed, const std::string& name);
 struct GenerationSettings {
   int count = 60;
   std::uint64_t seed = 1;
-  double robot_radius = 0.25;  ///< m
-  double resolution = 0.05;    ///< m, cell size of the world model in which paths are searched
+  double robot_radius = 0.25;  ///< m, of the disc, or of the enclosing disc of a polygon
+  /// A polygon that rotates in place: scenarios with a path for it count as solvable, also where
+  /// its enclosing disc has none.
+  std::optional<Footprint> footprint = std::nullopt;
+  double resolution = 0.05;  ///< m, cell size of the world model in which paths are searched
   int attempts_per_scenario = 200;
   std::string name_prefix;     ///< names are PREFIX_0000, PREFIX_0001, ...
   bool goal_headings = false;  ///< goals have random headings, from a random stream of their own

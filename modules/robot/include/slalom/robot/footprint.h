@@ -24,6 +24,9 @@ class Footprint {
   bool is_disc() const { return corners_.empty(); }
   double inscribed_radius() const { return inscribed_; }  ///< m, around the center
   double enclosing_radius() const { return enclosing_; }  ///< m, around the center
+  /// m, the farthest point to the left or right of the center: what a passage needs to each side
+  /// of a robot that drives straight through.
+  double half_width() const;
   /// Counter-clockwise, robot frame; empty for a disc.
   const std::vector<mrpt::math::TPoint2D>& corners() const { return corners_; }
   /// The convex hull, which methods are given; the corners themselves if they are convex.

@@ -5,6 +5,7 @@
 #include <slalom/robot/footprint.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct RobotModel {
   void visit(OptionVisitor& v);
   bool holonomic() const { return kinematics == Kinematics::Holonomic; }
   Footprint shape() const;
+  /// The polygon of a robot that rotates in place; none of a disc, nor of a car.
+  std::optional<Footprint> turning_polygon() const;
   /// Sets the radius to that of the enclosing disc of a polygon. Throws Error (Usage) at `where`
   /// for a text that is not a polygon around the center.
   void set_radius_of_footprint(const std::string& where);

@@ -22,6 +22,12 @@ class FootprintContact {
   /// Consecutive calls must be contiguous: `from` is the last `to`.
   virtual bool find_contact(const mrpt::math::TPose2D& from, mrpt::math::TPose2D& to,
                             double& fraction) = 0;
+
+  /// Whether the footprint keeps more than `margin` (m) from all obstacles on a motion, as
+  /// find_contact() interpolates it; obstacles inside a polygon, which its motion up to `from`
+  /// would have touched, are not seen.
+  virtual bool is_free(const mrpt::math::TPose2D& from, const mrpt::math::TPose2D& to,
+                       double margin) const = 0;
 };
 
 std::unique_ptr<FootprintContact> make_footprint_contact(const World& world,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mover_contact.h"
-
 #include <slalom/core/distance.h>
+#include <slalom/core/pose.h>
+#include <slalom/references/footprint_contact.h>
 #include <slalom/scenario/contact.h>
 #include <slalom/scenario/geometry.h>
-#include <slalom/simulation/footprint_contact.h>
 
 #include <mrpt/math/wrap2pi.h>
 
@@ -44,6 +43,11 @@ class DiscContact : public FootprintContact {
     return true;
   }
 
+  bool is_free(const TPose2D& from, const TPose2D& to, double margin) const override {
+    const double limit = radius_ + margin;
+    return world_.distance_field().segment_clearance(TPoint2D(from), TPoint2D(to), limit) >= limit;
+  }
+
  private:
   bool is_blocked(const TPoint2D& a, const TPoint2D& b) const {
     return world_.distance_field().segment_clearance(a, b, radius_) < radius_ - kContactTolerance;
@@ -67,8 +71,7 @@ class PolygonContact : public FootprintContact {
   }
 
   bool find_contact(const TPose2D& from, TPose2D& to, double& fraction) override {
-    const double turn = std::abs(mrpt::math::wrapToPi(to.phi - from.phi));
-    const double motion = distance_between(from, to) + footprint_.enclosing_radius() * turn;
+    const double motion = longest_way(from, to);
     if (motion < free_travel_) {
       free_travel_ -= motion;
       return false;
@@ -91,9 +94,25 @@ class PolygonContact : public FootprintContact {
     return false;
   }
 
+  bool is_free(const TPose2D& from, const TPose2D& to, double margin) const override {
+    const double motion = longest_way(from, to);
+    for (double at = 0;;) {
+      const double free = clearance(interpolate(from, to, at)) - margin;
+      if (free < kContact) return false;
+      if ((1 - at) * motion <= free) return true;
+      at += free / motion;
+    }
+  }
+
  private:
   /// Clearance (m) below which there is contact: bounds the number of advances along a wall.
   static constexpr double kContact = 1e-4;
+
+  /// m, the farthest that a point of the polygon moves.
+  double longest_way(const TPose2D& from, const TPose2D& to) const {
+    const double turn = std::abs(mrpt::math::wrapToPi(to.phi - from.phi));
+    return distance_between(from, to) + footprint_.enclosing_radius() * turn;
+  }
 
   double clearance(const TPose2D& pose) const {
     return world_.distance_field().outline_clearance(footprint_.corners_at(pose));

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/distance.h>
+#include <slalom/core/math.h>
+#include <slalom/references/disc_path.h>
+#include <slalom/references/footprint_contact.h>
+#include <slalom/references/footprint_path.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+/// Spacing of positions as a fraction of the robot's half width.
+constexpr double kSpacing = 0.125;
+/// Weight of the distance that is left: paths are longer than the best of the lattice by at most
+/// that factor.
+constexpr double kGreed = 1.3;
+/// Length (m) that is worth a turn by 1 rad, as a fraction of the enclosing radius.
+constexpr double kTurnCost = 0.2;
+constexpr int kMaxExpanded = 30000;
+constexpr int kDirections = 32;
+
+/// Steps of one octant; the direction of each leads from position to position.
+constexpr std::array<std::array<int, 2>, 4> kSteps = {{{1, 0}, {3, 1}, {2, 1}, {3, 2}}};
+
+/// The step of a direction, in their order of angles.
+std::array<int, 2> step_of(int direction) {
+  const int octant = direction / 4 % 8, i = direction % 4;
+  const bool is_mirrored = octant % 2 == 1;
+  // The octants with odd numbers have the mirror images in reverse order, from (1, 1) on.
+  std::array<int, 2> step =
+      is_mirrored ? (i == 0 ? std::array{1, 1} : kSteps[4U - static_cast<unsigned>(i)])
+                  : kSteps[static_cast<unsigned>(i)];
+  if (is_mirrored) std::swap(step[0], step[1]);
+  for (int quarter = octant / 2; quarter > 0; --quarter) step = {-step[1], step[0]};
+  return step;
+}
+
+/// A position of the lattice and a direction; kDirections at the start, where the heading is given.
+struct Node {
+  std::int32_t x = 0, y = 0;
+  int direction = 0;
+  bool operator==(const Node& o) const { return x == o.x && y == o.y && direction == o.direction; }
+};
+
+struct NodeHash {
+  std::size_t operator()(const Node& n) const {
+    return (static_cast<std::size_t>(static_cast<std::uint32_t>(n.x)) << 38U) ^
+           (static_cast<std::size_t>(static_cast<std::uint32_t>(n.y)) << 6U) ^
+           static_cast<std::size_t>(n.direction);
+  }
+};
+
+/// Distances (m) to the goal along cells with a given clearance.
+class CellDistances {
+ public:
+  CellDistances(const World& world, const TPoint2D& goal, double clearance)
+      : cells_(world.occupancy()),
+        distance_(cells_.cells().size(), std::numeric_limits<double>::infinity()) {
+    const TPoint2D at = cells_.to_cells(goal);
+    push(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)), 0);
+    while (!queue_.empty()) {
+      const auto [distance, index] = queue_.top();
+      queue_.pop();
+      if (distance > distance_[index]) continue;
+      const int width = cells_.size_x(), x = static_cast<int>(index) % width,
+                y = static_cast<int>(index) / width;
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+          if (cells_.inside(x + dx, y + dy) &&
+              world.distance_field().at_center(x + dx, y + dy) >= clearance)
+            push(x + dx, y + dy,
+                 distance + (dx != 0 && dy != 0 ? M_SQRT2 : 1) * cells_.resolution());
+    }
+  }
+
+  double at(const TPoint2D& p) const {
+    const TPoint2D cell = cells_.to_cells(p);
+    const int x = static_cast<int>(std::floor(cell.x)), y = static_cast<int>(std::floor(cell.y));
+    return cells_.inside(x, y) ? distance_[cells_.index(x, y)]
+                               : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  void push(int x, int y, double distance) {
+    if (!cells_.inside(x, y) || distance >= distance_[cells_.index(x, y)]) return;
+    distance_[cells_.index(x, y)] = distance;
+    queue_.push({distance, cells_.index(x, y)});
+  }
+
+  using Entry = std::pair<double, std::size_t>;
+  const Occupancy& cells_;
+  std::vector<double> distance_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+class LatticeSearch {
+ public:
+  LatticeSearch(const World& world, const Footprint& footprint, const TPose2D& start,
+                const TPoint2D& goal, double margin)
+      : contact_(make_footprint_contact(world, footprint)),
+        start_(start),
+        goal_(goal),
+        margin_(margin),
+        spacing_(kSpacing * footprint.half_width()),
+        turn_cost_(kTurnCost * footprint.enclosing_radius()),
+        // Of the center of a cell in which the center of the robot may be.
+        rest_(world, goal,
+              footprint.half_width() + margin - world.occupancy().resolution() * M_SQRT1_2) {
+    for (int i = 0; i < kDirections; ++i) {
+      const auto [x, y] = step_of(i);
+      headings_[static_cast<unsigned>(i)] = math::atan2(y, x);
+    }
+  }
+
+  std::optional<FootprintPath> run() {
+    const Node first{0, 0, kDirections};
+    offer(first, first, 0);
+    for (int expanded = 0; !queue_.empty() && expanded < kMaxExpanded; ++expanded) {
+      const Node node = queue_.top().node;
+      queue_.pop();
+      State& state = states_.at(node);
+      if (state.closed) continue;
+      state.closed = true;
+      if (distance_between(position(node), goal_) <= kReach * spacing_) return path_to(node);
+      expand(node, state.cost);
+    }
+    return std::nullopt;
+  }
+
+  bool is_exhausted() const { return queue_.empty(); }
+
+ private:
+  static constexpr double kReach = 1.3;  // half the diagonal of four positions, and some more
+  struct State {
+    Node from;
+    double cost = std::numeric_limits<double>::infinity();
+    bool closed = false;
+  };
+  struct Entry {
+    double bound;
+    Node node;
+    /// The last in the queue first; equal bounds in an order of their own.
+    bool operator<(const Entry& o) const {
+      return std::tie(bound, node.x, node.y, node.direction) >
+             std::tie(o.bound, o.node.x, o.node.y, o.node.direction);
+    }
+  };
+
+  TPoint2D position(const Node& node) const {
+    return TPoint2D(start_) + TPoint2D(node.x, node.y) * spacing_;
+  }
+  TPose2D pose(const Node& node) const {
+    const TPoint2D p = position(node);
+    return {p.x, p.y,
+            node.direction == kDirections ? start_.phi
+                                          : headings_[static_cast<unsigned>(node.direction)]};
+  }
+
+  void offer(const Node& node, const Node& from, double cost) {
+    State& state = states_[node];
+    if (state.closed || cost >= state.cost) return;
+    state = {from, cost, false};
+    const double rest = rest_.at(position(node));
+    if (rest < std::numeric_limits<double>::infinity()) queue_.push({cost + kGreed * rest, node});
+  }
+
+  bool is_known(const Node& node) const {
+    const auto found = states_.find(node);
+    return found != states_.end() && found->second.closed;
+  }
+
+  void turn(const Node& node, double cost, int direction) {
+    const Node next{node.x, node.y, (direction + kDirections) % kDirections};
+    const TPose2D from = pose(node), to = pose(next);
+    if (is_known(next) || !contact_->is_free(from, to, margin_)) return;
+    offer(next, node, cost + turn_cost_ * std::abs(mrpt::math::wrapToPi(to.phi - from.phi)));
+  }
+
+  void expand(const Node& node, double cost) {
+    if (node.direction == kDirections) {
+      // The neighbors of the heading; the other way around is a turn as well.
+      int next = 0;
+      for (int i = 0; i < kDirections; ++i)
+        if (ahead(i) < ahead(next)) next = i;
+      turn(node, cost, next);
+      turn(node, cost, next - 1);
+      return;
+    }
+    turn(node, cost, node.direction + 1);
+    turn(node, cost, node.direction - 1);
+    const auto [x, y] = step_of(node.direction);
+    const double step = math::hypot(x, y);
+    const int longest = std::max(1, static_cast<int>(kLongStep / step));
+    for (const int steps : {1, longest}) {
+      const Node next{node.x + steps * x, node.y + steps * y, node.direction};
+      if (!is_known(next) && contact_->is_free(pose(node), pose(next), margin_))
+        offer(next, node, cost + steps * step * spacing_);
+      if (steps == longest) break;
+    }
+  }
+
+  /// rad, the angle to the left from the start's heading to a direction.
+  double ahead(int direction) const {
+    const double angle = headings_[static_cast<unsigned>(direction)] - start_.phi;
+    return angle - 2 * M_PI * std::floor(angle / (2 * M_PI));
+  }
+
+  FootprintPath path_to(Node node) const {
+    FootprintPath path;
+    path.poses.push_back(pose(node));
+    while (node.direction != kDirections) {
+      node = states_.at(node).from;
+      path.poses.push_back(pose(node));
+    }
+    std::reverse(path.poses.begin(), path.poses.end());
+    for (std::size_t i = 1; i < path.poses.size(); ++i)
+      path.length += distance_between(path.poses[i - 1], path.poses[i]);
+    return path;
+  }
+
+  static constexpr double kLongStep = 8;  // in positions
+  std::unique_ptr<FootprintContact> contact_;
+  TPose2D start_;
+  TPoint2D goal_;
+  double margin_, spacing_, turn_cost_;
+  CellDistances rest_;
+  std::array<double, kDirections> headings_ = {};
+  std::unordered_map<Node, State, NodeHash> states_;
+  std::priority_queue<Entry> queue_;
+};
+
+}  // namespace
+
+std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
+                                                 const TPose2D& start, const TPoint2D& goal,
+                                                 double margin, std::string& reason) {
+  if (!shortest_disc_path(world.occupancy(), footprint.inscribed_radius(), TPoint2D(start), goal,
+                          reason))
+    return std::nullopt;
+  if (make_footprint_contact(world, footprint)->touches(start)) {
+    reason = "the robot touches an obstacle at the start";
+    return std::nullopt;
+  }
+  LatticeSearch search(world, footprint, start, goal, margin);
+  std::optional<FootprintPath> path = search.run();
+  if (!path)
+    reason = search.is_exhausted() ? "no path was found for the shape of the robot"
+                                   : "the search for a path of the robot's shape took too long";
+  return path;
+}
+
+}  // namespace slalom

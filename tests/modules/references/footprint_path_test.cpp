@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/distance.h>
+#include <slalom/core/pose.h>
+#include <slalom/core/random.h>
+#include <slalom/references/disc_path.h>
+#include <slalom/references/footprint_path.h>
+
+#include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slalom {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+using Point = boost::geometry::model::d2::point_xy<double>;
+using Shape = boost::geometry::model::polygon<Point, false>;
+
+constexpr char kRectangle[] = "0.42,0.21; -0.42,0.21; -0.42,-0.21; 0.42,-0.21";
+constexpr char kRearAxle[] = "0.69,0.29; -0.2,0.29; -0.2,-0.29; 0.69,-0.29";
+constexpr char kCorner[] = "0.5,0.25; -0.3,0.25; -0.3,-0.35; -0.05,-0.35; -0.05,-0.1; 0.5,-0.1";
+constexpr double kMargin = 0.01;
+
+Shape shape_of(const std::vector<TPoint2D>& corners) {
+  Shape shape;
+  for (const TPoint2D& p : corners) shape.outer().emplace_back(p.x, p.y);
+  shape.outer().push_back(shape.outer().front());
+  return shape;
+}
+
+/// m, from the robot to the nearest occupied square or to the outside: by another library.
+double gap_at(const World& world, const Footprint& footprint, const TPose2D& pose) {
+  const Occupancy& cells = world.occupancy();
+  const Shape robot = shape_of(footprint.corners_at(pose));
+  const double r = cells.resolution(), reach = footprint.enclosing_radius() + 2 * r;
+  const TPoint2D center = cells.to_cells(TPoint2D(pose));
+  const int n = static_cast<int>(std::ceil(reach / r));
+  double gap = reach;
+  for (int y = static_cast<int>(center.y) - n; y <= static_cast<int>(center.y) + n; ++y)
+    for (int x = static_cast<int>(center.x) - n; x <= static_cast<int>(center.x) + n; ++x) {
+      if (!cells.occupied(x, y)) continue;
+      const TPoint2D a = cells.to_world(x, y), b = cells.to_world(x + 1, y + 1);
+      const Shape square = shape_of({a, {b.x, a.y}, b, {a.x, b.y}});
+      gap = std::min(gap, boost::geometry::distance(robot, square));
+    }
+  return gap;
+}
+
+/// The path is what its header says.
+void expect_valid(const World& world, const Footprint& footprint, const FootprintPath& path) {
+  const Scenario& scenario = world.scenario();
+  ASSERT_EQ(path.poses.front(), scenario.start());
+  EXPECT_LE(distance_between(path.poses.back(), scenario.goal()), footprint.half_width() / 6);
+  double length = 0;
+  for (std::size_t i = 1; i < path.poses.size(); ++i) {
+    const TPose2D &from = path.poses[i - 1], &to = path.poses[i];
+    const double driven = distance_between(from, to);
+    length += driven;
+    if (driven > 0) {
+      EXPECT_EQ(from.phi, to.phi) << "turns while it drives";
+      EXPECT_NEAR(inverse_compose(from, TPoint2D(to)).x, driven, 1e-9) << "drives sideways";
+    }
+    for (int k = 0; k <= 4; ++k)
+      ASSERT_GT(gap_at(world, footprint, interpolate(from, to, k / 4.0)), kMargin);
+  }
+  EXPECT_NEAR(path.length, length, 1e-9);
+}
+
+std::optional<FootprintPath> find_path(const World& world, const Footprint& footprint,
+                                       std::string& reason) {
+  return find_footprint_path(world, footprint, world.scenario().start(), world.scenario().goal(),
+                             kMargin, reason);
+}
+
+/// A wall with a door of this width (m); the way leads through it at an angle.
+World door(double width) {
+  Primitives walls;
+  const double low = 3 - width / 2, high = 3 + width / 2;
+  walls.polygons = {{{{2.91, 0}, {3.09, 0}, {3.09, low}, {2.91, low}}},
+                    {{{2.91, high}, {3.09, high}, {3.09, 6}, {2.91, 6}}}};
+  return {Scenario::continuous("door", {0, 0, 6, 6}, walls, {1.2, 1.2, 2}, {4.8, 4.5}), 0.02};
+}
+
+TEST(FootprintPath, LeadsThroughADoorThatIsWiderThanTheRobot) {
+  std::string reason;
+  for (const char* text : {kRectangle, kRearAxle}) {
+    const Footprint footprint = Footprint::parse(text);
+    for (const double slack : {0.08, 0.14, 0.4}) {
+      const World world = door(2 * footprint.half_width() + slack);
+      const auto path = find_path(world, footprint, reason);
+      ASSERT_TRUE(path) << reason << " " << slack;
+      expect_valid(world, footprint, *path);
+    }
+    EXPECT_FALSE(find_path(door(2 * footprint.half_width() - 0.02), footprint, reason));
+    EXPECT_NE(reason, "");
+  }
+}
+
+TEST(FootprintPath, NoDiscInTheRobotHasAPathIsAProof) {
+  std::string reason;
+  EXPECT_FALSE(find_path(door(0.38), Footprint::parse(kRectangle), reason));
+  EXPECT_EQ(reason, "no path from start to goal is wide enough for the robot");
+}
+
+/// Squares at random places in a room, away from start and goal.
+World clutter(std::uint64_t seed) {
+  RandomEngine engine(seed);
+  Primitives squares;
+  while (squares.polygons.size() < 16) {
+    const TPoint2D at(uniform_real(engine, 0, 8), uniform_real(engine, 0, 8));
+    if (distance_between(at, TPoint2D(1.2, 1.2)) < 1.3 ||
+        distance_between(at, TPoint2D(6.8, 6.8)) < 1.3)
+      continue;
+    const double r = uniform_real(engine, 0.1, 0.4);
+    squares.polygons.push_back(
+        {{{at.x - r, at.y - r}, {at.x + r, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}}});
+  }
+  return {Scenario::continuous("clutter", {0, 0, 8, 8}, squares,
+                               {1.2, 1.2, uniform_real(engine, -M_PI, M_PI)}, {6.8, 6.8}),
+          0.05};
+}
+
+TEST(FootprintPath, KeepsTheMarginForAnyShapeInAnyRoom) {
+  int found = 0, passable = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const World world = clutter(seed);
+    for (const char* text : {kRectangle, kRearAxle, kCorner}) {
+      const Footprint footprint = Footprint::parse(text);
+      std::string reason;
+      const auto path = find_path(world, footprint, reason);
+      // Wherever the enclosing disc passes with the margin, so does the robot.
+      const bool is_easy =
+          shortest_disc_path(world.occupancy(), footprint.enclosing_radius() + 3 * kMargin,
+                             {1.2, 1.2}, {6.8, 6.8}, reason)
+              .has_value();
+      EXPECT_TRUE(path || !is_easy) << seed << " " << text;
+      passable += is_easy ? 1 : 0;
+      found += path ? 1 : 0;
+      if (path) expect_valid(world, footprint, *path);
+    }
+  }
+  EXPECT_GT(found, passable + 5) << "the shape finds more than its disc";
+}
+
+TEST(FootprintPath, OfARoundPolygonIsThatOfTheDisc) {
+  std::string corners;
+  constexpr double kRadius = 0.3;
+  for (int i = 0; i < 64; ++i)
+    corners += (i > 0 ? "; " : "") + std::to_string(kRadius * std::cos(i * M_PI / 32)) + "," +
+               std::to_string(kRadius * std::sin(i * M_PI / 32));
+  const Footprint footprint = Footprint::parse(corners);
+  for (std::uint64_t seed = 21; seed <= 32; ++seed) {
+    const World world = clutter(seed);
+    std::string reason;
+    const auto path = find_path(world, footprint, reason);
+    const auto narrow =
+        shortest_disc_path(world.occupancy(), kRadius, {1.2, 1.2}, {6.8, 6.8}, reason);
+    const auto wide = shortest_disc_path(world.occupancy(), kRadius + 3 * kMargin, {1.2, 1.2},
+                                         {6.8, 6.8}, reason);
+    EXPECT_TRUE(path || !wide) << seed;
+    EXPECT_TRUE(narrow || !path) << seed;
+    if (!path || !wide) continue;
+    EXPECT_GE(path->length, narrow->length - kRadius / 6);
+    EXPECT_LE(path->length, 1.3 * wide->length);
+  }
+}
+
+}  // namespace
+}  // namespace slalom
