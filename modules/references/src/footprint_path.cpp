@@ -113,7 +113,7 @@ class LatticeSearch {
         margin_(margin),
         spacing_(kSpacing * footprint.half_width()),
         turn_cost_(kTurnCost * footprint.enclosing_radius()),
-        // Of the center of a cell in which the center of the robot may be.
+        // Half a cell less, since the robot may be anywhere in it.
         rest_(world, goal,
               footprint.half_width() + margin - world.occupancy().resolution() * M_SQRT1_2) {
     for (int i = 0; i < kDirections; ++i) {

@@ -20,7 +20,7 @@ namespace slalom {
 References find_references(const CampaignOptions& options, const ReferencePlanner* planner,
                            const World& world);
 
-/// Those references only from which time_limit() and lack_of_time() follow.
+/// The references from which time_limit() and lack_of_time() follow, without the others.
 References find_earliest(const RunSetup& setup, const World& world);
 
 /// s, SimulationOptions::time_limit() of the runs in a scenario: the earliest possible arrival is

@@ -11,7 +11,7 @@ namespace slalom {
 /// these runs: "nobody can arrive within 60 s: the shortest path takes 103.1 s at 0.26 m/s".
 constexpr char kLackOfTime[] = "nobody can arrive within ";
 
-/// That sentence in the details of a run, or "".
+/// The sentence in the details of a run, or "".
 std::string lack_of_time_in(const char* outcome_detail);
 
 /// The names of such scenarios, with their sentences.
