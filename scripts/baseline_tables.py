@@ -27,8 +27,11 @@ LABELS = {
 
 
 def folder_argument(usage):
-    """The folder of the results, the first argument; without one the usage is printed."""
-    if len(sys.argv) < 2:
+    """The folder of the results, the first argument; without one, or with --help, the usage is printed."""
+    if "--help" in sys.argv:
+        print(usage)
+        sys.exit()
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
         sys.exit(usage)
     folder = pathlib.Path(sys.argv[1]).resolve()
     folder.mkdir(parents=True, exist_ok=True)

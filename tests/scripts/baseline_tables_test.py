@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Statistics and labels of the scripts that make tables: baseline_tables_test.py SOURCE_FOLDER."""
+import contextlib
+import io
 import pathlib
 import random
 import statistics
 import sys
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(sys.argv.pop(1)).resolve() / "scripts"))
 
-from baseline_tables import kendall_tau, label_rows, noise_ceiling
+from baseline_tables import folder_argument, kendall_tau, label_rows, noise_ceiling
 
 RATES = [0.95, 0.9, 0.8, 0.7, 0.65, 0.6, 0.5, 0.4]
 
@@ -54,6 +57,15 @@ class Labels(unittest.TestCase):
     def test_name_who_calls_a_class_of_mrpt_in_rows_only(self):
         markdown = "nd in a sentence\n| method | nd |\n|---|---|\n| nd | 1 |\n| nd_plus | 2 |\n"
         self.assertEqual(label_rows(markdown), markdown.replace("| nd | 1", "| CHolonomicND (Slalom's adapter) | 1"))
+
+
+class Arguments(unittest.TestCase):
+    def test_an_option_is_no_folder(self):
+        for arguments, code in ((["--help"], None), (["folder", "--help"], None), (["-o"], "usage"), ([], "usage")):
+            with unittest.mock.patch.object(sys, "argv", ["script", *arguments]), contextlib.redirect_stdout(io.StringIO()):
+                with self.assertRaises(SystemExit) as ended:
+                    folder_argument("usage")
+            self.assertEqual(ended.exception.code, code)
 
 
 unittest.main()
