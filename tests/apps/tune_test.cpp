@@ -230,7 +230,7 @@ TEST_F(Tune, RefusesSearchesThatCannotBegin) {
       {"--method planted --stratify densiti", {"densiti", "density"}},
       {"--method planted --then time", {"time"}},
       {"--method planted --confidence 1", {"--confidence 1"}},
-      {"--method go --then optimality", {"--then optimality", "needs no reference path"}},
+      {"--method go --then safety", {"--then safety", "needs no safest path"}},
       {"--method go --set method.go.turn_in_place=x", {"turn_in_place"}},
       {"--method planted --set tune.a=1,0", {"tune.a"}},
       {"--method planted --set tune.a=0.5,1", {"tune.a", "default"}},

@@ -143,7 +143,7 @@ TuneResult TuneQuestion::search(const MethodCampaign& campaign, const TuneScenar
     constexpr std::size_t kEnough = 20;
     if (successes >= kEnough && values == 0)
       throw usage_error("--then " + then_, "is not available in runs that succeed",
-                        "a metric that needs no reference path, such as time_to_goal");
+                        "a metric that needs no safest path, such as optimality");
     return outcomes;
   });
 }

@@ -35,16 +35,16 @@ struct DrawnRun {
 struct DrawExecution {
   int workers = 1;
   std::function<bool()> interrupted = nullptr;  ///< polled
-  std::string metric = {};                      ///< id of one that needs no references; "": none
+  std::string metric = {};                      ///< id of one that needs no safest path; "": none
 };
 
-/// Runs a method in scenarios that are drawn when they are needed, without descriptors and
-/// references, in worker processes with the limits of a campaign, each as a campaign with these
-/// options and one repetition does. Passes the runs to `receive` in the order of their indexes
-/// until it returns false, or `max_runs` of them; what workers have begun beyond that is dropped.
-/// A method that crashes, or exceeds a limit, has the outcome that it has in a campaign. Returns
-/// false if interrupted. Throws Error (Job) if a run cannot be executed for another reason, and
-/// Error (Usage) if nobody can arrive in a scenario within [simulation] max_time.
+/// Runs a method in scenarios that are drawn when they are needed, without descriptors, and with
+/// the shortest path only, in worker processes with the limits of a campaign, each as a campaign
+/// with these options and one repetition does. Passes the runs to `receive` in the order of their
+/// indexes until it returns false, or `max_runs` of them; what workers have begun beyond that is
+/// dropped. A method that crashes, or exceeds a limit, has the outcome that it has in a campaign.
+/// Returns false if interrupted. Throws Error (Job) if a run cannot be executed for another reason,
+/// and Error (Usage) if nobody can arrive in a scenario within [simulation] max_time.
 bool run_draws(const NamedMethod& method, const CampaignOptions& options, const DrawRun& draw,
                std::size_t max_runs, const DrawExecution& execution,
                const std::function<bool(const DrawnRun&)>& receive);
