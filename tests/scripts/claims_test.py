@@ -34,7 +34,7 @@ plugin = libslalom_go_to_goal.so
 
 [method.around]
 adapter = library
-plugin = libslalom_trajectory_rollout.so
+plugin = libslalom_follow_the_gap.so
 """
 
 
@@ -62,17 +62,38 @@ class Claims(unittest.TestCase):
     def test_a_claim_is_confirmed_and_its_contrary_refuted(self):
         row = self.row(PLANTED)
         self.assertIn("A. Author: A Title, 2000", row)
-        self.assertRegex(row, r"\*\*confirmed\*\* \| \d+ \| success, around − straight: \+[01][.\d]* \[.*\] \| e-value 2\d")
+        self.assertRegex(row, r"\*\*confirmed\*\* \| 5 confirmed \| \d+ \| success, around − straight: \+[01][.\d]* \[.*\] \| e-value 2\d")
         self.assertIn("**refuted** |", self.row(PLANTED.replace("more", "less")))
 
     def test_a_fixed_number_of_scenarios_is_judged_by_the_test_of_the_pairs(self):
-        self.assertRegex(self.row(PLANTED.replace("anytime", "fixed")), r"\*\*confirmed\*\* \| 100 .* p < 0.0001, exact McNemar test")
+        self.assertRegex(self.row(PLANTED.replace("anytime", "fixed")), r"\*\*confirmed\*\* \| 5 confirmed \| 100 .* p < 0.0001, exact McNemar test")
 
     def test_methods_that_do_the_same_confirm_that_they_are_the_same_only(self):
-        same = PLANTED.replace("trajectory_rollout", "go_to_goal").replace("anytime", "fixed")
+        same = PLANTED.replace("follow_the_gap", "go_to_goal").replace("anytime", "fixed")
         self.assertIn("**refuted: no relevant difference** |", self.row(same))
         self.assertIn("**confirmed** |", self.row(same.replace("more", "same")))
         self.assertIn("**refuted** |", self.row(PLANTED.replace("anytime", "fixed").replace("more", "same")))
+
+    def test_a_verdict_that_changes_with_the_seed_is_undecided(self):
+        sys.path.insert(0, str(SOURCES / "scripts"))
+        import claims
+
+        claims.CLAIMS = self.root / "configs/claims"
+        (claims.CLAIMS / "planted.ini").write_text(PLANTED)
+        of_seed = ["confirmed"] * 4 + ["undecided"]
+        claims.comparison = lambda folder, name, claim, seed: (of_seed[seed - claims.SEEDS[0]], seed, "effect", "evidence")
+        _, verdict, seeds, cells = claims.judge(self.root, "planted")
+        self.assertEqual((verdict, seeds), ("undecided", "4 confirmed, 1 undecided"))
+        self.assertEqual(cells, (claims.SEEDS[0], "effect", "evidence"))
+        of_seed[4] = "confirmed"
+        self.assertEqual(claims.judge(self.root, "planted")[1:3], ("confirmed", "5 confirmed"))
+
+    def test_a_difference_too_small_to_matter_is_none_whatever_its_sign(self):
+        sys.path.insert(0, str(SOURCES / "scripts"))
+        import claims
+
+        for shown in ("more", "less", ""):
+            self.assertEqual(claims.verdict("more", shown, True, False), "refuted: no relevant difference")
 
     def test_a_bad_claim_is_refused_with_what_was_expected(self):
         for text, message in (
@@ -90,7 +111,7 @@ class Claims(unittest.TestCase):
         self.assertIn("plantd: no such claim; expected one of planted", run.stderr)
 
     def test_claims_about_data_that_are_not_there_are_not_run(self):
-        self.assertIn("**not run** | – | – | needs BARN |", self.row(PLANTED.replace("test", "barn = 0-9\ntest", 1)))
+        self.assertIn("**not run** | – | – | – | needs BARN |", self.row(PLANTED.replace("test", "barn = 0-9\ntest", 1)))
 
     def test_each_claim_is_in_the_ledger_and_its_campaign_runs(self):
         page = (SOURCES / "docs/claims.md").read_text()

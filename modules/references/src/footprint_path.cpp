@@ -67,7 +67,7 @@ class CellDistances {
       : cells_(world.occupancy()),
         distance_(cells_.cells().size(), std::numeric_limits<double>::infinity()) {
     const TPoint2D at = cells_.to_cells(goal);
-    push(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)), 0);
+    push(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)), 0.0);
     while (!queue_.empty()) {
       const auto [distance, index] = queue_.top();
       queue_.pop();
