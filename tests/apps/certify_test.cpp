@@ -537,7 +537,7 @@ TEST_F(Certify, ASlowRobotHasTheTimeThatItsScenariosTake) {
   EXPECT_TRUE(certificate("a.json").at("answer").at("tests").at(0).at("passed")) << result.out;
   expect_failure(standard + "--set simulation.max_time=60", 2,
                  {"[simulation] max_time: scenario sudden_obstacle_0000: nobody can arrive within "
-                  "60 s: the shortest path takes ",
+                  "60 s: the shortest path takes at least ",
                   " s at 0.1 m/s", "or auto"});
 }
 

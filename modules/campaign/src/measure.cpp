@@ -97,8 +97,7 @@ std::string lack_of_time(const RunSetup& setup, const World& world, const Refere
   const double earliest = earliest_without_movers(problem_of(setup, world), *references.shortest,
                                                   {speed, setup.simulation.goal_tolerance, limit});
   if (earliest <= limit) return "";
-  return kLackOfTime + format_number(limit) + " s: the shortest path takes " +
-         format_fixed(earliest, 1) + " s at " + format_number(speed) + " m/s";
+  return lack_of_time_sentence(limit, earliest, speed);
 }
 
 std::string bound_violation(const CampaignOptions& options, const World& world,

@@ -46,9 +46,9 @@ std::vector<WeightedGenerator> read_mix(const IniFile& ini, const ScenariosSecti
   refuse_unknown_families(ini);
   GeneratorContext families;
   families.load_map = load_map;
-  const double half_width =
-      context.footprint ? context.footprint->half_width() : context.robot_radius;
-  if (section.scale_by_robot) families.length_scale = half_width / kUnscaledRadius;
+  if (section.scale_by_robot)
+    families.length_scale =
+        passing_radius(context.robot_radius, context.footprint) / kUnscaledRadius;
   const std::vector<std::string> names = split(section.generator, ',');
   const std::vector<double> weights = read_weights(ini, section, names.size());
   std::vector<WeightedGenerator> mix;

@@ -22,13 +22,6 @@ double certified(double widest, const World& world, double radius) {
   return std::max(0.0, widest - world.occupancy().resolution() * M_SQRT1_2) / radius;
 }
 
-/// m, of the discs that pass wherever the robot does: a polygon that rotates in place drives
-/// straight through.
-double passing_radius(const RobotModel& robot) {
-  const auto polygon = robot.turning_polygon();
-  return polygon ? polygon->half_width() : robot.shape().enclosing_radius();
-}
-
 /// People count as obstacles if they are there when the run begins.
 double start_clearance(const World& world, double radius) {
   const auto& start = world.scenario().start();
@@ -63,7 +56,7 @@ GeometryReport judge_geometry(const World& world, const RobotModel& robot,
   report.distance = distance_between(scenario.goal(), start);
   report.start_clearance = start_clearance(world, radius);
   report.bottleneck = certified(widest_bottleneck(world, {start.x, start.y}, scenario.goal()),
-                                world, passing_radius(robot));
+                                world, passing_radius(radius, robot.turning_polygon()));
   if (report.distance < options.min_distance - kRounding)
     report.violation = below("distance to the goal", report.distance, options.min_distance, "m");
   else if (report.start_clearance < options.min_start_clearance - kRounding)
@@ -81,7 +74,8 @@ bool has_fair_geometry(const World& world, const RobotModel& robot,
                        const FairnessOptions& options) {
   const Scenario& scenario = world.scenario();
   const auto& start = scenario.start();
-  const double radius = robot.shape().enclosing_radius(), passing = passing_radius(robot);
+  const double radius = robot.shape().enclosing_radius(),
+               passing = passing_radius(radius, robot.turning_polygon());
   if (distance_between(scenario.goal(), start) < options.min_distance - kRounding) return false;
   if (start_clearance(world, radius) < options.min_start_clearance - kRounding) return false;
   if (options.people_walk && !problem_of_people(world, radius).empty()) return false;

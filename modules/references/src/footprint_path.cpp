@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
+#include <slalom/core/pose.h>
 #include <slalom/references/disc_path.h>
 #include <slalom/references/footprint_contact.h>
 #include <slalom/references/footprint_path.h>
@@ -10,7 +11,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
 
 namespace slalom {
@@ -21,8 +24,7 @@ using mrpt::math::TPose2D;
 
 /// Spacing of positions as a fraction of the robot's half width.
 constexpr double kSpacing = 0.125;
-/// Weight of the distance that is left: paths are longer than the best of the lattice by at most
-/// that factor.
+/// Weight of the distance that is left: more is faster, and paths get longer.
 constexpr double kGreed = 1.3;
 /// Length (m) that is worth a turn by 1 rad, as a fraction of the enclosing radius.
 constexpr double kTurnCost = 0.2;

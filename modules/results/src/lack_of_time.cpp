@@ -3,13 +3,38 @@
 #include <slalom/results/lack_of_time.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace slalom {
+namespace {
 
-std::string lack_of_time_in(const char* outcome_detail) {
-  const char* found = std::strstr(outcome_detail, kLackOfTime);
-  return found == nullptr ? "" : found;
+constexpr std::string_view kBegin = "nobody can arrive within ",
+                           kMiddle = " s: the shortest path takes at least ", kAt = " s at ",
+                           kEnd = " m/s";
+
+/// Takes `word`, and what is before it, from the text; whether that is a number.
+bool take_number_before(std::string_view& text, std::string_view word) {
+  const std::size_t at = text.find(word);
+  double number = 0;
+  if (at == std::string_view::npos || !parse_number(std::string(text.substr(0, at)), number))
+    return false;
+  text.remove_prefix(at + word.size());
+  return true;
+}
+
+}  // namespace
+
+std::string lack_of_time_sentence(double limit, double earliest, double speed) {
+  return std::string(kBegin) + format_number(limit) + std::string(kMiddle) +
+         format_fixed(earliest, 1) + std::string(kAt) + format_number(speed) + std::string(kEnd);
+}
+
+std::string lack_of_time_in(std::string_view outcome_detail) {
+  const std::size_t begin = outcome_detail.rfind(kBegin);
+  if (begin == std::string_view::npos) return "";
+  std::string_view rest = outcome_detail.substr(begin + kBegin.size());
+  const bool is_sentence = take_number_before(rest, kMiddle) && take_number_before(rest, kAt) &&
+                           take_number_before(rest, kEnd) && rest.empty();
+  return is_sentence ? std::string(outcome_detail.substr(begin)) : "";
 }
 
 std::string lack_of_time_note(const LacksOfTime& scenarios, std::size_t of) {

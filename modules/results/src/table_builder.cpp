@@ -40,7 +40,7 @@ void TableBuilder::add_run(const RunRecord& run, const RunTiming& timing) {
   table_.repetition.push_back(static_cast<std::uint32_t>(run.repetition));
   table_.details.push_back(
       {run.seed, run.outcome_detail, run.trajectory_hash, timing.wall_seconds});
-  if (std::string lack = lack_of_time_in(run.outcome_detail.c_str()); !lack.empty())
+  if (std::string lack = lack_of_time_in(run.outcome_detail); !lack.empty())
     table_.lack_of_time[run.scenario_hash] = std::move(lack);
   for (ValueColumn& column : table_.metrics) {
     const auto found = run.metrics.find(column.info().id);

@@ -224,4 +224,8 @@ std::vector<TPoint2D> Footprint::corners_at(const TPose2D& pose) const {
   return transformed;
 }
 
+double passing_radius(double radius, const std::optional<Footprint>& turning_polygon) {
+  return turning_polygon ? turning_polygon->half_width() : radius;
+}
+
 }  // namespace slalom

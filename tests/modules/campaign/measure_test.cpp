@@ -204,7 +204,7 @@ TEST(TimeLimit, TooLittleTimeIsProvedUpToTheToleranceOfTheGoal) {
   const double earliest = (26.8 - options.simulation.goal_tolerance) / 0.26;  // 102.3 s
   options.simulation.max_time = 60;
   EXPECT_EQ(lack_of_time(options, hall, references),
-            "nobody can arrive within 60 s: the shortest path takes 102.3 s at 0.26 m/s");
+            "nobody can arrive within 60 s: the shortest path takes at least 102.3 s at 0.26 m/s");
   options.simulation.max_time = earliest + 0.01;
   EXPECT_EQ(lack_of_time(options, hall, references), "");
   options.simulation.max_time = earliest - 0.01;

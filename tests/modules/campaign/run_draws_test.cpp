@@ -147,11 +147,12 @@ TEST(RunDraws, InWhichNobodyCanArriveInTimeAreRefusedByName) {
     options.robot.max_v = 0.3;
     return RunDraw{corridor(1), options};
   };
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "[simulation] max_time",
-                           {"scenario corridor_1: nobody can arrive within 5 s: the shortest path "
-                            "takes 6.0 s at 0.3 m/s",  // 1.8 m, up to the tolerance of the goal
-                            "auto"},
-                           [&] { runs_of(draw, 1, 1); }));
+  EXPECT_TRUE(
+      throws_error(ErrorKind::Usage, "[simulation] max_time",
+                   {"scenario corridor_1: nobody can arrive within 5 s: the shortest path "
+                    "takes at least 6.0 s at 0.3 m/s",  // 1.8 m, up to the tolerance of the goal
+                    "auto"},
+                   [&] { runs_of(draw, 1, 1); }));
 }
 
 TEST(RunDraws, HaveTheTimeLimitOfTheirScenario) {

@@ -49,6 +49,8 @@ TEST(Footprint, HalfTheWidthIsThatToTheSideOfTheCenter) {
   EXPECT_EQ(Footprint::disc(0.3).half_width(), 0.3);
   EXPECT_EQ(Footprint::parse("0.8,0.2; -0.1,0.2; -0.1,-0.2; 0.8,-0.2").half_width(), 0.2);
   EXPECT_EQ(Footprint::parse("0.8,0.1; -0.1,0.1; -0.1,-0.3; 0.8,-0.3").half_width(), 0.3);
+  EXPECT_EQ(passing_radius(0.9, Footprint::parse("0.8,0.2; -0.1,0.2; -0.1,-0.2; 0.8,-0.2")), 0.2);
+  EXPECT_EQ(passing_radius(0.9, std::nullopt), 0.9);
 }
 
 TEST(Footprint, CornersMayBeInEitherOrder) {

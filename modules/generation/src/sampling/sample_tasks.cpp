@@ -81,12 +81,6 @@ void expect_range(const char* what, double low, double high, double least) {
       "a lower limit of at least " + format_number(least) + ", not above the upper limit");
 }
 
-/// m, of a disc that passes wherever the robot does: half the width of a polygon that drives
-/// straight through.
-double passing_radius(const GenerationSettings& settings) {
-  return settings.footprint ? settings.footprint->half_width() : settings.robot_radius;
-}
-
 /// Checks the constraints of a pair: from its positions alone, and from its shortest path.
 class TaskFilter {
  public:
@@ -111,7 +105,8 @@ class TaskFilter {
         limits_.min_length <= any.min_length && limits_.max_length >= any.max_length &&
         limits_.min_detour <= any.min_detour && limits_.max_detour >= any.max_detour;
     if (any_path) return true;
-    const auto path = exact_shortest_path({map_, passing_radius(settings_), start, goal}, reason);
+    const auto path = exact_shortest_path(
+        {map_, passing_radius(settings_.robot_radius, settings_.footprint), start, goal}, reason);
     if (!path) return false;
     const double detour = path->length / distance_between(goal, start);
     if (path->length < limits_.min_length || path->length > limits_.max_length) {
@@ -144,7 +139,8 @@ std::vector<Scenario> sample_tasks(const Scenario& map, const GenerationSettings
   constexpr double kMargin = 0.05;  // m, so that the robot does not start in contact
   constexpr int kDrawsPerAttempt = 1000;
   const World world(map, settings.resolution);
-  const FreeRegions regions(world, passing_radius(settings) + kMargin,
+  const FreeRegions regions(world,
+                            passing_radius(settings.robot_radius, settings.footprint) + kMargin,
                             settings.robot_radius + kMargin);
   const TaskFilter filter(world, settings, limits);
   const SolvableSearch search(settings);

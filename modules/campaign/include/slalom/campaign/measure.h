@@ -31,8 +31,8 @@ double time_limit(const RunSetup& setup, const References& references);
 /// Whether lack_of_time() has to look at the scenario.
 bool may_lack_time(const RunSetup& setup, const References& references);
 
-/// Why no run in a scenario can end in time, which is proved: "nobody can arrive within 60 s: the
-/// shortest path takes 103.1 s at 0.26 m/s". Empty if that is not known.
+/// Why no run in a scenario can end in time, which is proved, by lack_of_time_sentence(). Empty if
+/// that is not known.
 std::string lack_of_time(const RunSetup& setup, const World& world, const References& references);
 
 /// The values of the enabled metrics of a run, by id. `movers` and `hindrances` as in

@@ -4,6 +4,7 @@
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPose2D.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,9 @@ class Footprint {
   std::vector<mrpt::math::TPoint2D> corners_, hull_;
   double inscribed_ = 0, enclosing_ = 0;
 };
+
+/// m, of a disc that passes wherever the robot does: half the width of a polygon that rotates in
+/// place and drives straight through, or the radius of a robot that is none.
+double passing_radius(double radius, const std::optional<Footprint>& turning_polygon);
 
 }  // namespace slalom
