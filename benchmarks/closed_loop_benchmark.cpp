@@ -178,7 +178,7 @@ CObservation2DRangeScan mrpt_scan() {
 void mrpt(benchmark::State& state) {
   const std::deque<World>& worlds = worlds_by_start();
   const SimulationOptions options = wandering_options();
-  const int cycles = static_cast<int>(options.max_time / options.control_period);
+  const int cycles = static_cast<int>(options.time_limit() / options.control_period);
   CObservation2DRangeScan scan = mrpt_scan();
   std::size_t steps = 0, i = 0;
   for (auto _ : state) {
