@@ -197,14 +197,31 @@ std::string FileIdentity::change(const std::string& path) const {
   return now.node_ == 0 ? "was removed by another program" : "was replaced by another program";
 }
 
-void throw_read_error(const std::string& path, const std::exception& e) {
+namespace {
+
+int code_of(const std::exception& e) {
   const auto* const of_database = dynamic_cast<const SQLite::Exception*>(&e);
-  if (of_database != nullptr && of_database->getErrorCode() == SQLITE_INTERRUPT)
+  return of_database == nullptr ? SQLITE_OK : of_database->getErrorCode();
+}
+
+}  // namespace
+
+Error locked_error(const std::string& path) {
+  return job_error(path,
+                   "is locked by another program, or its file system has no locks (as NFS without "
+                   "lockd)",
+                   "the end of that program, or a local disk");
+}
+
+void throw_read_error(const std::string& path, const std::exception& e) {
+  if (code_of(e) == SQLITE_BUSY) throw locked_error(path);
+  if (code_of(e) == SQLITE_INTERRUPT)
     throw file_error(path, "is damaged (reading it does not end)", "a file written by Slalom");
   throw file_error(path, std::string("cannot be read (") + e.what() + ")");
 }
 
 void throw_write_error(const std::string& path, const std::exception& e) {
+  if (code_of(e) == SQLITE_BUSY) throw locked_error(path);
   throw job_error(path, std::string("cannot be written (") + e.what() + ")");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/core/error.h>
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 
@@ -125,6 +127,8 @@ auto reading(const std::string& path, Act act) -> decltype(act());
 template <typename Act>
 auto writing(const std::string& path, Act act) -> decltype(act());
 
+/// SQLite cannot tell a lock that another program has from one that the file system refuses.
+Error locked_error(const std::string& path);
 [[noreturn]] void throw_read_error(const std::string& path, const std::exception& e);
 [[noreturn]] void throw_write_error(const std::string& path, const std::exception& e);
 

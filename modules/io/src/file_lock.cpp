@@ -165,6 +165,10 @@ class FoundLock {
   void wait_for_flock(const LockNotice& notify) const {
     constexpr int kPeriodMs = 20, kNoticeMs = 500, kMaxWaitMs = 3 * kTimeToWrite * 1000;
     for (int waited = 0; flock(file_, LOCK_EX | LOCK_NB) != 0; waited += kPeriodMs) {
+      if (errno != EWOULDBLOCK && errno != EINTR)
+        throw job_error(path_,
+                        std::string("cannot be locked (flock: ") + std::strerror(errno) + ")",
+                        "a file system with locks");
       if (waited == kNoticeMs && notify)
         notify(path_ + ": waits for another program that has locked it (flock)");
       if (waited >= kMaxWaitMs)

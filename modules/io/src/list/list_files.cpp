@@ -25,8 +25,7 @@ std::unique_ptr<SQLite::Database> lock_old(const std::string& path) {
     old->exec("BEGIN EXCLUSIVE");
     return old;
   } catch (const SQLite::Exception& e) {
-    if (e.getErrorCode() == SQLITE_BUSY)
-      throw job_error(path, "is locked by another program", "that the program releases the list");
+    if (e.getErrorCode() == SQLITE_BUSY) throw locked_error(path);
     return nullptr;
   }
 }
