@@ -36,9 +36,9 @@ def main():
     cell = lambda one, metric: estimate(tables[f"{one}_{metric}"][of_all], metric, METRICS[metric])
     print_table(["method", *effects], ([one] + [cell(one, metric) for metric in effects] for one in methods))
     orders = [row for i in range(len(results) - 1) for row in robustness(results[i:], METRICS)["order_of_methods"]]
-    taus = [estimate(row, "tau") for row in orders if row["metric"] == "success"]
+    taus = [[estimate(row, "tau"), estimate(row, "noise_ceiling")] for row in orders if row["metric"] == "success"]
     pairs = [", ".join(pair) for pair in itertools.combinations(SETTINGS, 2)]
-    print_table(["settings", "Kendall's tau of success"], zip(pairs, taus))
+    print_table(["settings", "Kendall's tau of success", "noise ceiling"], ([pair, *tau] for pair, tau in zip(pairs, taus)))
 
 
 main()

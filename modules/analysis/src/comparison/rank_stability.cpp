@@ -40,30 +40,44 @@ ScenarioValues values_of_methods(const ResultTable& table, const std::vector<std
   return values;
 }
 
-std::optional<double> tau_of(const std::vector<const PairedScenario*>& scenarios) {
-  std::vector<double> first(scenarios[0]->first.size(), 0), other(first);
+PairedScenario totals_of(const std::vector<const PairedScenario*>& scenarios) {
+  PairedScenario totals{std::vector<double>(scenarios[0]->first.size(), 0),
+                        std::vector<double>(scenarios[0]->other.size(), 0)};
   for (const PairedScenario* scenario : scenarios) {
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      first[i] += scenario->first[i];
-      other[i] += scenario->other[i];
+    for (std::size_t i = 0; i < totals.first.size(); ++i) {
+      totals.first[i] += scenario->first[i];
+      totals.other[i] += scenario->other[i];
     }
   }
-  return kendall_tau(first, other);
+  return totals;
 }
 
-std::optional<Interval> bootstrap_of(const std::vector<PairedScenario>& scenarios,
-                                     const AnalysisOptions& options, const std::string& label) {
+std::vector<double> reordered(const std::vector<double>& values,
+                              const std::vector<std::size_t>& order) {
+  std::vector<double> result;
+  for (const std::size_t i : order) result.push_back(values[i]);
+  return result;
+}
+
+/// Adds what resampled scenarios tell; `totals` are those of all of them.
+void resample(const std::vector<PairedScenario>& scenarios, const PairedScenario& totals,
+              const AnalysisOptions& options, const std::string& label, RankStability& stability) {
+  const auto ranks_first = ascending_order(totals.first),
+             ranks_other = ascending_order(totals.other);
   RandomEngine engine(derive_seed(options.seed, label));
-  std::vector<double> taus;
+  std::vector<double> taus, same_order;
   std::vector<const PairedScenario*> sample(scenarios.size());
   for (int i = 0; i < kResamples; ++i) {
     for (const PairedScenario*& one : sample)
       one = &scenarios[static_cast<std::size_t>(uniform_real(engine, 0, 1) *
                                                 static_cast<double>(scenarios.size()))];
-    if (const auto tau = tau_of(sample)) taus.push_back(*tau);
+    const auto [first, other] = totals_of(sample);
+    if (const auto tau = kendall_tau(first, other)) taus.push_back(*tau);
+    if (const auto tau = kendall_tau(reordered(first, ranks_first), reordered(other, ranks_other)))
+      same_order.push_back(*tau);
   }
-  if (taus.empty()) return std::nullopt;
-  return percentile_interval(std::move(taus), options.confidence);
+  if (!taus.empty()) stability.interval = percentile_interval(std::move(taus), options.confidence);
+  stability.ceiling = noise_ceiling(std::move(same_order), options.confidence);
 }
 
 }  // namespace
@@ -87,9 +101,9 @@ RankStability rank_stability(const ResultTable& first, const ResultTable& other,
   if (scenarios.empty()) return stability;
   std::vector<const PairedScenario*> all;
   for (const PairedScenario& scenario : scenarios) all.push_back(&scenario);
-  stability.tau = tau_of(all);
-  if (stability.tau && scenarios.size() > 1)
-    stability.interval = bootstrap_of(scenarios, options, label);
+  const PairedScenario totals = totals_of(all);
+  stability.tau = kendall_tau(totals.first, totals.other);
+  if (stability.tau && scenarios.size() > 1) resample(scenarios, totals, options, label, stability);
   return stability;
 }
 

@@ -175,10 +175,21 @@ std::optional<double> mmrv_of(const Means& means) {
   return mean_max_rank_violation(means.real, means.simulated);
 }
 
-Agreement agreement(const Figure& figure, const Means& means, const std::vector<Means>& resamples,
-                    double confidence, bool correlation) {
+/// The means with the methods of each side in an order of its own.
+Means reordered(const Means& means, const std::vector<std::size_t>& real,
+                const std::vector<std::size_t>& simulated) {
+  Means result;
+  for (const std::size_t i : real) result.real.push_back(means.real[i]);
+  for (const std::size_t i : simulated) result.simulated.push_back(means.simulated[i]);
+  return result;
+}
+
+enum class FigureKind { Ranks, Correlation, Violation };
+
+Agreement agreement(const Figure& figure, FigureKind kind, const Means& means,
+                    const std::vector<Means>& resamples, double confidence) {
   Agreement result;
-  if (correlation && means.real.size() < 3) {
+  if (kind != FigureKind::Violation && means.real.size() < 3) {
     result.reason = "fewer than 3 methods";
     return result;
   }
@@ -187,11 +198,16 @@ Agreement agreement(const Figure& figure, const Means& means, const std::vector<
     result.reason = "all means are equal on one side";
     return result;
   }
-  std::vector<double> values;
-  for (const Means& resample : resamples)
+  const auto real = ascending_order(means.real), simulated = ascending_order(means.simulated);
+  std::vector<double> values, same_order;
+  for (const Means& resample : resamples) {
     if (const auto value = figure(resample)) values.push_back(*value);
-  if (values.empty()) return result;
-  result.interval = percentile_interval(std::move(values), confidence);
+    if (kind != FigureKind::Ranks) continue;
+    if (const auto value = figure(reordered(resample, real, simulated)))
+      same_order.push_back(*value);
+  }
+  if (!values.empty()) result.interval = percentile_interval(std::move(values), confidence);
+  result.ceiling = noise_ceiling(std::move(same_order), confidence);
   return result;
 }
 
@@ -281,13 +297,13 @@ Sim2Real sim2real(const ResultTable& real, const ResultTable& simulated, const s
     if (const Samples resample = resampled(samples, result.scenarios > 0, engine);
         has_values(resample))
       resamples.push_back(means_of(resample));
-  const auto of = [&](const Figure& figure, bool correlation) {
-    return agreement(figure, means, resamples, options.confidence, correlation);
+  const auto of = [&](const Figure& figure, FigureKind kind) {
+    return agreement(figure, kind, means, resamples, options.confidence);
   };
-  result.spearman = of(spearman_of, true);
-  result.kendall = of(kendall_of, true);
-  result.pearson = of(pearson_of, true);
-  result.mmrv = of(mmrv_of, false);
+  result.spearman = of(spearman_of, FigureKind::Ranks);
+  result.kendall = of(kendall_of, FigureKind::Ranks);
+  result.pearson = of(pearson_of, FigureKind::Correlation);
+  result.mmrv = of(mmrv_of, FigureKind::Violation);
   std::vector<std::size_t> order(samples.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

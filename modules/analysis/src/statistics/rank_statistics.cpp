@@ -10,15 +10,6 @@
 namespace slalom {
 namespace {
 
-std::vector<std::size_t> increasing_order(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&values](std::size_t a, std::size_t b) {
-    return values[a] != values[b] ? values[a] < values[b] : a < b;
-  });
-  return order;
-}
-
 bool constant(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [&](double v) { return v == values.front(); });
 }
@@ -34,7 +25,7 @@ double tie_tolerance(const std::vector<double>& values) {
 }
 
 std::vector<double> midranks(const std::vector<double>& values, double tolerance) {
-  const std::vector<std::size_t> order = increasing_order(values);
+  const std::vector<std::size_t> order = ascending_order(values);
   std::vector<double> ranks(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t end = first + 1;
@@ -82,6 +73,20 @@ std::optional<double> kendall_tau(const std::vector<double>& x, const std::vecto
   }
   if (untied_x == 0 || untied_y == 0) return std::nullopt;
   return concordance / std::sqrt(untied_x * untied_y);
+}
+
+std::vector<std::size_t> ascending_order(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return order;
+}
+
+std::optional<NoiseCeiling> noise_ceiling(std::vector<double> correlations, double confidence) {
+  if (correlations.empty()) return std::nullopt;
+  const double average = mean(correlations);
+  return NoiseCeiling{average, percentile_interval(std::move(correlations), confidence)};
 }
 
 std::optional<double> pearson(const std::vector<double>& x, const std::vector<double>& y) {

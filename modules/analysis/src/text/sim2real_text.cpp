@@ -28,9 +28,19 @@ std::string order_text(const UndecidedOrder& order) {
   return pair + "about " + std::to_string(*order.more_runs) + " more real runs of each\n";
 }
 
+std::string ceiling_text(const Agreement& agreement) {
+  if (!agreement.ceiling) return "";
+  const auto& [mean, interval] = *agreement.ceiling;
+  return format_fixed(mean, kDigits) + " [" + format_fixed(interval.low, kDigits) + ", " +
+         format_fixed(interval.high, kDigits) + "]";
+}
+
 nlohmann::ordered_json agreement_json(const Agreement& agreement) {
   nlohmann::ordered_json json = {{"value", number_or_null(agreement.value)},
                                  {"interval", interval_json(agreement.interval)}};
+  if (agreement.ceiling)
+    json["noise_ceiling"] = {{"value", agreement.ceiling->mean},
+                             {"interval", interval_json(agreement.ceiling->interval)}};
   if (!agreement.reason.empty()) json["reason"] = agreement.reason;
   return json;
 }
@@ -51,11 +61,16 @@ std::string render_text(const Sim2Real& comparison) {
                      {format_fixed(method.simulated, kDigits)},
                      {std::to_string(method.simulated_runs)}});
   text += methods.text() + "\n";
-  TextGrid figures({"agreement", format_number(100 * comparison.confidence) + " % interval"});
-  figures.add_row({{"Spearman's rho"}, {interval_text(comparison.spearman)}});
-  figures.add_row({{"Kendall's tau-b"}, {interval_text(comparison.kendall)}});
-  figures.add_row({{"Pearson's r"}, {interval_text(comparison.pearson)}});
-  figures.add_row({{"mean maximum rank violation" + unit}, {interval_text(comparison.mmrv)}});
+  TextGrid figures(
+      {"agreement", format_number(100 * comparison.confidence) + " % interval", "noise ceiling"});
+  figures.add_row({{"Spearman's rho"},
+                   {interval_text(comparison.spearman)},
+                   {ceiling_text(comparison.spearman)}});
+  figures.add_row({{"Kendall's tau-b"},
+                   {interval_text(comparison.kendall)},
+                   {ceiling_text(comparison.kendall)}});
+  figures.add_row({{"Pearson's r"}, {interval_text(comparison.pearson)}, {}});
+  figures.add_row({{"mean maximum rank violation" + unit}, {interval_text(comparison.mmrv)}, {}});
   text += figures.text() + "\nTo decide the real order, with " +
           format_number(100 * comparison.power) + " % power if the differences are as seen:\n";
   for (const UndecidedOrder& order : comparison.orders) text += "  " + order_text(order);

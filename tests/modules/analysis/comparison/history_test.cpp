@@ -6,6 +6,7 @@
 #include <slalom/analysis/interpreter.h>
 #include <slalom/analysis/rank_stability.h>
 #include <slalom/core/error.h>
+#include <slalom/core/random.h>
 
 #include <gtest/gtest.h>
 
@@ -155,6 +156,45 @@ TEST(RankStability, HasAnIntervalOverScenarios) {
   EXPECT_EQ(*found.tau, 1);
   EXPECT_EQ(found.interval->low, -1);
   EXPECT_EQ(found.interval->high, 1);
+}
+
+/// Optimalities around 0.3, 0.35, ... of eight methods, in this order or in that of `order`.
+ResultTable noisy_methods(const std::vector<int>& order, RandomEngine& engine) {
+  std::vector<std::vector<double>> values;
+  for (const int rank : order) {
+    values.emplace_back();
+    for (int i = 0; i < 10; ++i)
+      values.back().push_back(0.3 + 0.05 * rank + uniform_real(engine, -0.2, 0.2));
+  }
+  return methods_with(values);
+}
+
+TEST(RankStability, TellsNoiseFromOrdersThatDiffer) {
+  RandomEngine engine(5);
+  const std::vector<int> order = {0, 1, 2, 3, 4, 5, 6, 7}, turned = {4, 5, 6, 7, 0, 1, 2, 3};
+  int below_one = 0, false_alarms = 0, found = 0;
+  const int pairs = 100;
+  for (int i = 0; i < pairs; ++i) {
+    const ResultTable first = noisy_methods(order, engine);
+    const RankStability same =
+        rank_stability(first, noisy_methods(order, engine), "optimality", {}, "x");
+    ASSERT_TRUE(same.ceiling);
+    below_one += *same.tau < 1 ? 1 : 0;
+    false_alarms += *same.tau < same.ceiling->interval.low ? 1 : 0;
+    const RankStability other =
+        rank_stability(first, noisy_methods(turned, engine), "optimality", {}, "x");
+    found += *other.tau < other.ceiling->interval.low ? 1 : 0;
+  }
+  EXPECT_GT(below_one, pairs / 2) << "one true order seldom gives the same measured one";
+  EXPECT_LT(false_alarms, pairs / 10);
+  EXPECT_EQ(found, pairs);
+}
+
+TEST(RankStability, OfTheSameRunsHasACeilingOfOne) {
+  const ResultTable first = methods_with({{0.1, 0.3}, {0.3, 0.25}, {0.3, 0.35}});
+  const auto ceiling = rank_stability(first, first, "optimality", {}, "x").ceiling;
+  EXPECT_EQ(ceiling->mean, 1);
+  EXPECT_EQ(ceiling->interval.low, 1);
 }
 
 TEST(RankStability, NeedsScenariosInWhichAllHaveValues) {

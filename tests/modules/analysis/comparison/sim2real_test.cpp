@@ -63,6 +63,21 @@ TEST(RankViolation, IsThatOfItsDefinition) {
   }
 }
 
+TEST(Sim2Real, TheNoiseCeilingDoesNotDependOnTheOrderInSimulation) {
+  const std::string real = trials(2, 5, 8, 30);
+  const Sim2Real same = compared(real, trials(6, 15, 24, 30)),
+                 opposite = compared(real, trials(24, 15, 6, 30));
+  ASSERT_TRUE(same.kendall.ceiling && opposite.kendall.ceiling && same.spearman.ceiling);
+  EXPECT_NEAR(same.kendall.ceiling->mean, opposite.kendall.ceiling->mean, 0.03);
+  EXPECT_LT(same.kendall.ceiling->mean, 1) << "two of three are often turned by noise";
+  EXPECT_GE(*same.kendall.value, same.kendall.ceiling->interval.low);
+  EXPECT_LT(*opposite.kendall.value, opposite.kendall.ceiling->interval.low);
+  EXPECT_FALSE(same.pearson.ceiling) << "not of ranks";
+  const auto json = sim2real_json(opposite);
+  EXPECT_EQ(json["kendall"]["noise_ceiling"]["value"], opposite.kendall.ceiling->mean);
+  EXPECT_FALSE(json["pearson"].contains("noise_ceiling"));
+}
+
 TEST(Sim2Real, TheSameOrderAgrees) {
   const Sim2Real result = compared(trials(2, 5, 8), trials(3, 6, 9));
   EXPECT_EQ(result.scenarios, 0U);

@@ -59,6 +59,20 @@ double probability_of_superiority(const std::vector<double>& a, const std::vecto
 /// tolerance are tied. None if all are tied on a side. Requires equal sizes.
 std::optional<double> kendall_tau(const std::vector<double>& x, const std::vector<double>& y);
 
+/// Indices of `values` from the least to the largest one; equal ones keep their order.
+std::vector<std::size_t> ascending_order(const std::vector<double>& values);
+
+/// A correlation of two orders that would be found, by noise alone, if both were truly the same:
+/// a correlation within the interval does not show that the orders differ.
+struct NoiseCeiling {
+  double mean = 0;
+  Interval interval;  ///< percentiles
+};
+
+/// The ceiling by resampled correlations of measurements with the same true order; none without
+/// any.
+std::optional<NoiseCeiling> noise_ceiling(std::vector<double> correlations, double confidence);
+
 /// Pearson's correlation; none if a side is constant. Requires equal sizes of at least one.
 std::optional<double> pearson(const std::vector<double>& x, const std::vector<double>& y);
 

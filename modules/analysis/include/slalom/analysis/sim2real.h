@@ -2,6 +2,7 @@
 #pragma once
 
 #include <slalom/analysis/cell.h>
+#include <slalom/analysis/rank_statistics.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -23,7 +24,10 @@ struct Sim2RealMethod {
 struct Agreement {
   std::optional<double> value;
   std::optional<Interval> interval;  ///< percentile bootstrap
-  std::string reason;                ///< why there is no value
+  /// Of rank correlations, by the same resamples: what they would be if the method of each rank in
+  /// reality were that of the same rank in simulation.
+  std::optional<NoiseCeiling> ceiling;
+  std::string reason;  ///< why there is no value
 };
 
 /// Two methods that are next to each other in the real order.
