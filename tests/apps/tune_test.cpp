@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Drives to the goal if `a` is near 0.7, else stands still; `b` has no effect. No obstacles.
+/// The method of plugins/planted_optimum.c, as a class in Python.
 constexpr char kPlanted[] =
     "import math\n"
     "class Planted:\n"
@@ -21,11 +21,15 @@ constexpr char kPlanted[] =
     "    def step(self, o):\n"
     "        if not self.drives: return 0, 0\n"
     "        return 1, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n";
+/// Small scenarios without obstacles.
 constexpr char kIni[] =
     "[campaign]\nmethods = planted\n[scenarios]\ngenerator = random\n"
     "[generator.random]\nmin_obstacles = 0\nmax_obstacles = 0\n"
+    "width = 5\nheight = 5\nmin_distance = 2\n"
     "[simulation]\nstuck_time = 1\n"
-    "[method.planted]\nadapter = python\nmodule = planted.py\nclass = Planted\n"
+    "[method.planted]\nadapter = library\nplugin = " PLANTED_OPTIMUM
+    "\n"
+    "[method.snake]\nadapter = python\nmodule = planted.py\nclass = Planted\n"
     "[method.go]\nadapter = library\nplugin = libslalom_go_to_goal.so\n";
 
 class Tune : public ProgramTest {
@@ -74,7 +78,6 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
       << "rounded up";
 
   // The campaign with these options, and the same answer from any number of workers.
-  write("out/planted.py", kPlanted);
   const ProgramResult tuned =
       run("slalom-simulate run out/tuned.ini --quiet --set scenarios.count=3 "
           "-o a.results");
@@ -123,9 +126,11 @@ TEST_F(Tune, ShowsTheScenariosInWhichTheDefaultIsWorse) {
         "        if self.drives is None: self.drives = self.a > 0.5 or max(steps) < 0.6\n"
         "        if not self.drives: return 0, 0\n"
         "        return 1, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n");
-  const ProgramResult result = run(std::string(kTune) +
-                                   "--method planted --set generator.random.max_obstacles=1 "
-                                   "--stratify obstacle_count -o out");
+  const ProgramResult result =
+      run(std::string(kTune) +
+          "--method snake --set generator.random.max_obstacles=1 "
+          "--set generator.random.width=12 --set generator.random.height=12 "
+          "--set generator.random.min_distance=8 --stratify obstacle_count -o out");
   ASSERT_EQ(result.status, 0) << result.err;
   const Json sealed = answer("out").at("sealed");
   const Json& hard = sealed.at("hard_end");
@@ -214,10 +219,10 @@ TEST_F(Tune, AValueThatTheMethodRefusesIsToldBeforeTheSearch) {
   write("planted.py", std::string(kPlanted) +
                           "    def __init__(self, robot, options):\n"
                           "        if options.b < 2: raise ValueError('b is too small')\n");
-  expect_failure(base + "planted", 2,
-                 {"[method.planted] b = 1, 9: planted refuses 1: ", "b is too small"});
-  expect_failure(base + "planted --set method.planted.b=3 --set 'tune.b=3 | 1 | 4'", 2,
-                 {"--set tune.b = 3 | 1 | 4: planted refuses 1: ", "b is too small"});
+  expect_failure(base + "snake", 2,
+                 {"[method.snake] b = 1, 9: snake refuses 1: ", "b is too small"});
+  expect_failure(base + "snake --set method.snake.b=3 --set 'tune.b=3 | 1 | 4'", 2,
+                 {"--set tune.b = 3 | 1 | 4: snake refuses 1: ", "b is too small"});
 }
 
 TEST_F(Tune, RefusesSearchesThatCannotBegin) {
@@ -238,11 +243,11 @@ TEST_F(Tune, RefusesSearchesThatCannotBegin) {
       {"--method planted --set tune.a=much", {"'much' is no range"}},
       {"--method planted --set tune.c=0,1", {"tune.c", "its default is unknown"}},
       {"--method planted --set tune.mode=\"x|y\"", {"no choice is the default"}},
-      {"--method planted --set method.planted.module=plain.py", {"declares no ranges", "[tune]"}}};
+      {"--method snake --set method.snake.module=plain.py", {"declares no ranges", "[tune]"}}};
   write("plain.py", std::string(kPlanted) + "    option_ranges = {}\n");
   for (const auto& [options, words] : kRefused) expect_failure(base + options, 2, words);
   write("bad.py", std::string(kPlanted) + "    option_ranges = {'a': 1}\n");
-  expect_failure(base + "--method planted --set method.planted.module=bad.py", 2,
+  expect_failure(base + "--method snake --set method.snake.module=bad.py", 2,
                  {"malformed range of 'a' in option_ranges"});
 }
 

@@ -47,24 +47,30 @@ dump() {
 # The values of line $first of a dump, one a line.
 values() { sed -n "${first}p" "$1" | sed 's/},/},\n/g'; }
 
+# Compares the dump on a machine with the one here: check_dump NAME ENVIRONMENT...
+check_dump() {
+  local name=$1 first
+  shift
+  dump there "$@"
+  if cmp -s there.dump here.dump; then
+    echo "ok: $(wc -l <here.dump) runs with $name"
+  else
+    failed=1
+    echo "FAILED: other bits with $name, in the first run that differs here (<) and there (>):"
+    first=$({ cmp here.dump there.dump || true; } | sed 's/.*line //')
+    sed -nE "${first}s/.*(\"method\":\"[^\"]*\").*(\"name\":\"[^\"]*\").*/\1 \2/p" here.dump
+    diff <(values here.dump) <(values there.dump) | sed -n '/^[<>]/p;12q' || true
+  fi
+  rm -r there there.dump
+}
+
+# One machine tells the cause of a difference that all at once show.
 check_dumps() {
   dump here
-  local runs machine first
-  runs=$(wc -l <here.dump)
-  [ "$runs" -ge 56 ] && ! grep -q '"outcome":"method_' here.dump || { echo "FAILED: runs of the campaign"; exit 1; }
-  for machine in "${machines[@]}"; do
-    dump there "${machine#*|}"
-    if cmp -s there.dump here.dump; then
-      echo "ok: $runs runs with ${machine%%|*}"
-    else
-      failed=1
-      echo "FAILED: other bits with ${machine%%|*}, in the first run that differs here (<) and there (>):"
-      first=$({ cmp here.dump there.dump || true; } | sed 's/.*line //')
-      sed -nE "${first}s/.*(\"method\":\"[^\"]*\").*(\"name\":\"[^\"]*\").*/\1 \2/p" here.dump
-      diff <(values here.dump) <(values there.dump) | sed -n '/^[<>]/p;12q' || true
-    fi
-    rm -r there there.dump
-  done
+  [ "$(wc -l <here.dump)" -ge 56 ] && ! grep -q '"outcome":"method_' here.dump ||
+    { echo "FAILED: runs of the campaign"; exit 1; }
+  check_dump "all of these at once" "${all_at_once[@]}"
+  [ $failed -eq 0 ] || for machine in "${machines[@]}"; do check_dump "${machine%%|*}" "${machine#*|}"; done
 }
 
 # Compares the hash of a test bed on a machine with that of docs/testbeds.md: check_test_bed SET NAME ENVIRONMENT...
@@ -84,10 +90,7 @@ check_test_bed() {
 }
 
 check_test_beds() {
-  local set machine
-  for set in slalom-dynamic-small slalom-people-small; do
-    for machine in "${machines[@]}"; do check_test_bed "$set" "${machine%%|*}" "${machine#*|}"; done
-  done
+  local set
   for set in "$sources"/configs/testbeds/*.ini; do
     check_test_bed "$(basename "$set" .ini)" "all of these at once" "${all_at_once[@]}"
   done
