@@ -49,6 +49,10 @@ function(slalom_app NAME)
   else()  # one unit: slalom-evaluate is built first, and should not wait for headers of all programs
     target_compile_options(${NAME} PRIVATE ${SLALOM_OPTIMIZATION})
   endif()
+  if(TARGET slalom_image_codecs)
+    target_link_libraries(${NAME} PRIVATE slalom_image_codecs)
+    set_target_properties(${NAME} PROPERTIES INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR}/slalom/runtime)
+  endif()
   install(TARGETS ${NAME} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   set_property(GLOBAL APPEND PROPERTY SLALOM_APPS ${NAME})
   configure_file(${PROJECT_SOURCE_DIR}/apps/completion/slalom.bash.in ${CMAKE_BINARY_DIR}/completion/${NAME} @ONLY)
@@ -67,13 +71,16 @@ function(slalom_app NAME)
 endfunction()
 
 # slalom_test(NAME [COMPUTES] SOURCES ... DEPENDS module ... LIBRARIES target ...): a GoogleTest program, one per module, and one
-# test of ctest: a program with MRPT's libraries takes 0.2 s to start, so that one process for each test would take longer than
-# the tests. One test alone: build/release/bin/NAME --gtest_filter=SUITE.TEST.
+# test of ctest: a program with MRPT's libraries takes a while to start, so that one process for each test would take longer
+# than the tests. One test alone: build/release/bin/NAME --gtest_filter=SUITE.TEST.
 function(slalom_test NAME)
   cmake_parse_arguments(TEST "COMPUTES" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
   add_executable(${NAME} ${TEST_SOURCES})
   list(TRANSFORM TEST_DEPENDS PREPEND slalom_)
   target_link_libraries(${NAME} PRIVATE ${TEST_DEPENDS} ${TEST_LIBRARIES} GTest::gtest GTest::gtest_main Threads::Threads)
+  if(TARGET slalom_image_codecs)
+    target_link_libraries(${NAME} PRIVATE slalom_image_codecs)
+  endif()
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
   set(optimization -O0)
   if(TEST_COMPUTES)

@@ -52,6 +52,7 @@ bundle_stage() {
     cmake --install build/release --prefix "$stage" --component $component --strip >/dev/null
   done
   mkdir -p "$bundled" "$licenses"
+  rm -f "$stage"/lib*/slalom/runtime/libopencv_imgcodecs.so* # of the name of a library that is bundled
   bundle_python "$stage" >"$stage/packages"
   while IFS= read -r -d '' file; do
     ldd "$file" | awk -v file="$file" '/not found/ {print "!", file; next} $2 == "=>" {print $1, $3}'
