@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gazebo_world.h"
 #include "world_parts.h"
-#include "xml_file.h"
 
 #include <slalom/core/text.h>
+#include <slalom/xml/xml_file.h>
 
 #include <mrpt/core/bits_math.h>
 

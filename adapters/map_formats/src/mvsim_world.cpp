@@ -2,11 +2,11 @@
 #include "map_readers.h"
 #include "mvsim_world.h"
 #include "world_parts.h"
-#include "xml_file.h"
 
 #include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/scenario/grid_map.h>
+#include <slalom/xml/xml_file.h>
 
 #include <mrpt/core/bits_math.h>
 

@@ -3,11 +3,11 @@
 #include "ir_sim_world.h"
 #include "mvsim_world.h"
 #include "stage_world.h"
-#include "xml_file.h"
 
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/world_import.h>
+#include <slalom/xml/xml_file.h>
 
 namespace slalom {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "xml_file.h"
-
 #include <slalom/core/text.h>
+#include <slalom/xml/xml_file.h>
 
 #include <algorithm>
 #include <sstream>
