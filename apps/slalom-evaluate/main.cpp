@@ -88,8 +88,8 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
   write_file_atomically(arguments.output + "/tables.csv", render_csv(tables));
   std::cout << text;
   for (const std::string& method : runs.methods)
-    if (const std::string line = untimely_commands(runs, method); !line.empty())
-      std::cerr << line << "\n";
+    for (const auto& line_of : {untimely_commands, limited_commands})
+      if (const std::string line = line_of(runs, method); !line.empty()) std::cerr << line << "\n";
   if (!with_report) return;
   const std::string report = arguments.output + "/report";
   write_report(results_path, std::move(runs), options, report);

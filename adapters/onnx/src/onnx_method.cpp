@@ -37,7 +37,7 @@ class OnnxMethod : public Method {
     check_fit(where);
   }
 
-  void reset(const NavigationTask&) override {}
+  void reset(const NavigationTask&) override { limited_ = 0; }
 
   Command step(const Observation& observation) override {
     std::vector<std::vector<float>> values;
@@ -45,6 +45,10 @@ class OnnxMethod : public Method {
     const std::vector<float> output = network_.evaluate(inputs_, values);
     const double vy = output.size() > 2 ? static_cast<double>(output[2]) : 0;
     return decode(static_cast<double>(output[0]), static_cast<double>(output[1]), vy);
+  }
+
+  std::map<std::string, double> run_figures() const override {
+    return {{"commands_limited", limited_}};
   }
 
  private:
@@ -81,15 +85,16 @@ class OnnxMethod : public Method {
   }
 
   /// Commands beyond the limits become the nearest ones within; NaN stays.
-  Command decode(double v, double w, double vy) const {
+  Command decode(double v, double w, double vy) {
     if (output_ == NetworkOutput::Scaled) {
       v *= robot_.max_v;
       w *= robot_.max_w;
       vy *= robot_.max_v;
     }
-    return limited_command({v, w, vy}, robot_);
+    return limited_command({v, w, vy}, robot_, limited_);
   }
 
+  double limited_ = 0;  // commands of the run beyond the limits
   NetworkOutput output_;
   RobotModel robot_;
   InputEncoder encoder_;

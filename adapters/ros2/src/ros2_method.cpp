@@ -99,7 +99,10 @@ class Ros2Method : public Method {
     if (process_ && (options_.restart == Ros2Restart::Run || process_->exit_description())) stop();
     if (!connected_ || !link_->missing().empty()) connect();
     check_publishers();
-    figures_ = {{"commands_missing", 0}, {"commands_stale", 0}, {"commands_late", 0}};
+    figures_ = {{"commands_missing", 0},
+                {"commands_stale", 0},
+                {"commands_late", 0},
+                {"commands_limited", 0}};
     period_ = task.control_period;
     start_ = (last_ / kGrid + 1) * kGrid;
     rested_ = false;
@@ -196,7 +199,7 @@ class Ros2Method : public Method {
       check_silence();
     }
     check_publishers();
-    return limited_command(command_, robot_);
+    return limited_command(command_, robot_, figures_["commands_limited"]);
   }
 
   /// Returns the latest command at the end of the period. After a delay no cycle is shortened.
@@ -213,7 +216,7 @@ class Ros2Method : public Method {
       figures_["commands_missing"] += 1;
       check_silence();
     }
-    return limited_command(command_, robot_);
+    return limited_command(command_, robot_, figures_["commands_limited"]);
   }
 
   double patience() const { return options_.patience > 0 ? options_.patience : options_.deadline; }

@@ -124,7 +124,7 @@ const std::vector<Track>& tracks_of(const Observation& observation) {
   return *observation.tracks;
 }
 
-Command limited_command(const Command& command, const RobotModel& robot) {
+Command limited_command(const Command& command, const RobotModel& robot, double& count) {
   Command limited = {std::clamp(command.v, robot.forward_only ? 0 : -robot.max_v, robot.max_v),
                      std::clamp(command.w, -robot.max_w, robot.max_w),
                      robot.holonomic() ? std::clamp(command.vy, -robot.max_v, robot.max_v) : 0};
@@ -132,6 +132,12 @@ Command limited_command(const Command& command, const RobotModel& robot) {
     limited.v *= robot.max_v / speed;
     limited.vy *= robot.max_v / speed;
   }
+  for (const double change :
+       {limited.v - command.v, limited.w - command.w, limited.vy - command.vy})
+    if (std::abs(change) > kTolerance) {
+      ++count;
+      break;
+    }
   return limited;
 }
 

@@ -32,9 +32,9 @@ OrderedJson headlines_json(const ReportInput& input,
     for (const std::string& line : input.failures.lines_of(input.runs.methods[method]))
       json.push_back({{"method", method}, {"text", line}});
   for (std::size_t method = 0; method < input.runs.methods.size(); ++method)
-    if (const std::string line = untimely_commands(input.runs, input.runs.methods[method]);
-        !line.empty())
-      json.push_back({{"method", method}, {"text", line}});
+    for (const auto& line_of : {untimely_commands, limited_commands})
+      if (const std::string line = line_of(input.runs, input.runs.methods[method]); !line.empty())
+        json.push_back({{"method", method}, {"text", line}});
   if (!leader.empty()) json.push_back({{"method", nullptr}, {"text", leader}});
   return json;
 }

@@ -3,30 +3,57 @@
 #include <slalom/results/untimely_commands.h>
 
 namespace slalom {
+namespace {
 
-std::string untimely_commands(const ResultTable& table, const std::string& method) {
-  std::vector<std::string> counted;
+/// Commands of the runs of a method, added over kinds.
+struct Counts {
+  std::vector<std::string> of_kinds;  ///< "missing (35)"
+  double commands = 0;
+  std::size_t affected = 0, runs = 0;
+};
+
+Counts count(const ResultTable& table, const std::string& method,
+             const std::vector<std::string>& kinds) {
+  Counts counts;
   std::vector<bool> affected(table.size());
-  for (const char* const how : {"missing", "stale", "late"}) {
-    const ValueColumn* column = find_metric(table, std::string("commands_") + how);
+  for (const std::string& kind : kinds) {
+    const ValueColumn* column = find_metric(table, "commands_" + kind);
     if (column == nullptr) continue;
-    double count = 0;
+    double commands = 0;
     for (std::size_t row = 0; row < table.size(); ++row) {
       if (table.methods[table.method[row]] != method || !(column->number(row) > 0)) continue;
-      count += column->number(row);
+      commands += column->number(row);
       affected[row] = true;
     }
-    if (count > 0) counted.push_back(std::string(how) + " (" + format_number(count) + ")");
+    counts.commands += commands;
+    if (commands > 0) counts.of_kinds.push_back(kind + " (" + format_number(commands) + ")");
   }
-  if (counted.empty()) return "";
-  std::size_t runs = 0, all = 0;
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.methods[table.method[row]] != method) continue;
-    ++all;
-    if (affected[row]) ++runs;
+    ++counts.runs;
+    if (affected[row]) ++counts.affected;
   }
-  return method + ": commands were " + join(counted, " or ") + " in " + std::to_string(runs) +
-         " of " + count_text(all, "run") + ", which depend on the speed of the machine";
+  return counts;
+}
+
+std::string runs_text(const Counts& counts) {
+  return " in " + std::to_string(counts.affected) + " of " + count_text(counts.runs, "run");
+}
+
+}  // namespace
+
+std::string untimely_commands(const ResultTable& table, const std::string& method) {
+  const Counts counts = count(table, method, {"missing", "stale", "late"});
+  if (counts.of_kinds.empty()) return "";
+  return method + ": commands were " + join(counts.of_kinds, " or ") + runs_text(counts) +
+         ", which depend on the speed of the machine";
+}
+
+std::string limited_commands(const ResultTable& table, const std::string& method) {
+  const Counts counts = count(table, method, {"limited"});
+  if (counts.of_kinds.empty()) return "";
+  return method + ": " + count_text(static_cast<std::size_t>(counts.commands), "command") +
+         runs_text(counts) + " beyond the robot's limits, which changed them";
 }
 
 }  // namespace slalom

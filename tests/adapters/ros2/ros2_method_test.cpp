@@ -217,6 +217,17 @@ TEST_F(Ros2MethodTest, ASecondCommandOfACycleIsCountedAsLate) {
   EXPECT_EQ(figure("commands_late"), 2);
 }
 
+TEST_F(Ros2MethodTest, ACommandBeyondTheLimitsOfTheRobotIsCounted) {
+  begin();
+  step();
+  EXPECT_EQ(figure("commands_limited"), 0);
+  network_.on_clock = [this](RosTime now) { network_.answer(-0.2, now); };
+  EXPECT_EQ(step().v, 0) << "it never moves backwards";
+  network_.on_clock = [this](RosTime now) { network_.answer(0.5, now); };
+  EXPECT_EQ(step().v, 0.5);
+  EXPECT_EQ(figure("commands_limited"), 1);
+}
+
 TEST_F(Ros2MethodTest, TheLastOfTheExpectedCommandsCounts) {
   options_.commands_per_cycle = 2;
   network_.on_clock = [this](RosTime now) {

@@ -22,6 +22,9 @@ TEST(UntimelyCommands, AreAddedOverTheRunsOfTheirMethod) {
   add("node", {{"commands_missing", 2}, {"commands_stale", 0}, {"commands_late", 1}});
   add("other", {{"commands_missing", 0}, {"commands_stale", 7}, {"commands_late", 0}});
   add("library", {{"cycle_time_mean", 1}});
+  add("net", {{"commands_limited", 30}});
+  add("net", {{"commands_limited", 5}});
+  add("net", {{"commands_limited", 0}});
   const ResultTable table = builder.finish();
   EXPECT_EQ(untimely_commands(table, "node"),
             "node: commands were missing (5) or late (1) in 2 of 3 runs, which depend on the speed "
@@ -30,6 +33,10 @@ TEST(UntimelyCommands, AreAddedOverTheRunsOfTheirMethod) {
             "other: commands were stale (7) in 1 of 1 run, which depend on the speed of the "
             "machine");
   EXPECT_EQ(untimely_commands(table, "library"), "");
+  EXPECT_EQ(untimely_commands(table, "net"), "");
+  EXPECT_EQ(limited_commands(table, "node"), "");
+  EXPECT_EQ(limited_commands(table, "net"),
+            "net: 35 commands in 2 of 3 runs beyond the robot's limits, which changed them");
 }
 
 }  // namespace

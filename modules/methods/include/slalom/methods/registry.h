@@ -79,7 +79,8 @@ std::string resolve_method_file(const std::string& kind, const std::string& file
 bool is_valid_command(const Command& command, const RobotModel& robot, std::string& reason);
 
 /// The nearest command within the robot's limits, of each velocity and then of the speed, as the
-/// driver of a real base gives it. NaN stays.
-Command limited_command(const Command& command, const RobotModel& robot);
+/// driver of a real base gives it. NaN stays. Adds 1 to `count` if it is another command (by more
+/// than the tolerance of is_valid_command()).
+Command limited_command(const Command& command, const RobotModel& robot, double& count);
 
 }  // namespace slalom

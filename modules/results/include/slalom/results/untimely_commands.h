@@ -12,4 +12,9 @@ namespace slalom {
 /// in 12 of 40 runs, which depend on the speed of the machine". Empty if there are none.
 std::string untimely_commands(const ResultTable& table, const std::string& method);
 
+/// The line about commands that the limits of the robot changed ("commands_limited"): "nav2: 35
+/// commands in 12 of 40 runs beyond the robot's limits, which changed them". Empty if there are
+/// none.
+std::string limited_commands(const ResultTable& table, const std::string& method);
+
 }  // namespace slalom
