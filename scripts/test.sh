@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs missing packages, builds everything in the build folder of the demo, and runs all tests: scripts/test.sh.
 # With --all also what takes longer: the checks of format, documents, comments and includes; tests that build the project
-# again; clang-tidy on what changed; all tests again under the address and undefined-behavior sanitizers; the benchmarks
-# are built. Prints the time of each step, and the number of tests.
+# again; the benchmarks are built; clang-tidy on what changed; all tests again under the address and undefined-behavior
+# sanitizers. Prints the time of each step, and the number of tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 all=${1:-}
@@ -35,7 +35,9 @@ if [ "$all" ]; then
 fi
 # All parts: one that is not found would leave out its tests.
 mapfile -t parts < <(sed -n 's/^slalom_part(\([A-Z0-9]*\) .*/-DSLALOM_WITH_\1=ON/p' cmake/SlalomParts.cmake)
-scripts/build.sh release "${parts[@]}"
+targets=()
+[ -z "$all" ] || targets=(all slalom_benchmarks)
+scripts/build.sh release "${parts[@]}" "${targets[@]}"
 finish_step "build, release"
 if [ "$all" ]; then
   run_tests release
@@ -44,8 +46,6 @@ else
 fi
 finish_step "test, release"
 if [ "$all" ]; then
-  scripts/build.sh release slalom_benchmarks
-  finish_step "build, benchmarks"
   scripts/check_tidy.sh
   finish_step "clang-tidy of what changed"
   # Clang compiles instrumented code in about two thirds of GCC's time.
