@@ -112,6 +112,12 @@ Result number(const RosParameter& p, const RosContext&) {
   return format_number(value_of(p));
 }
 
+Result reciprocal(const RosParameter& p, const RosContext&) {
+  const double value = value_of(p);
+  if (!(value > 0)) throw usage_error(p.where, "'" + p.text + "' is not positive", "more than 0");
+  return format_number(1 / value);
+}
+
 Result half(const RosParameter& p, const RosContext&) {
   return format_number(0.5 * value_of(p));
 }
@@ -156,6 +162,7 @@ Result inverse(RosConversion conversion, const RosParameter& p, const RosContext
     double image = 0;
     if (parse_number(convert(texts[0]).value_or(""), image) && image != 0)
       texts.push_back(fmt::format("{:.12g}", number * number / image));
+    if (number != 0) texts.push_back(fmt::format("{:.12g}", 1 / number));
   }
   for (const std::string& text : texts)
     if (const Result back = convert(text); back && same_value(*back, value)) return text;

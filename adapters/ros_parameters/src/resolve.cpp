@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversions.h"
 #include "parameter_files.h"
+#include "urdf_file.h"
 
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
@@ -36,6 +37,16 @@ std::vector<std::string> files_of(const IniFile& ini, const std::string& section
   if (files.empty())
     throw usage_error(ini.where(section, "from"), "names no file", "a .yaml of Nav2 or move_base");
   return files;
+}
+
+/// Takes the robots in URDF out of the files.
+std::vector<std::string> take_robots(std::vector<std::string>& files) {
+  const auto robots = std::stable_partition(files.begin(), files.end(), [](const auto& file) {
+    return !ends_with(file, ".urdf") && !ends_with(file, ".xacro");
+  });
+  std::vector<std::string> taken(robots, files.end());
+  files.erase(robots, files.end());
+  return taken;
 }
 
 std::vector<std::string> names_of(const std::vector<Controller>& controllers) {
@@ -118,20 +129,31 @@ class SectionResolver {
 
   RosParameterReport resolve() {
     const std::string from = ini_.get(section_, "from").value_or("");
-    const ParameterFiles files = ParameterFiles::load(files_of(ini_, section_, from));
+    std::vector<std::string> paths = files_of(ini_, section_, from);
+    const std::vector<std::string> robots = take_robots(paths);
+    if (!robots.empty() && section_ != "robot")
+      throw usage_error(ini_.where(section_, "from"), "'" + robots[0] + "' describes a robot",
+                        "[robot] from for it, and a .yaml of Nav2 or move_base here");
+    const ParameterFiles files = ParameterFiles::load(paths);
     report_.section = section_;
     report_.source = from;
-    read_controller(files);
-    add_part(files, RosFamily::LocalCostmap);
+    const bool is_simulation = section_ == "simulation";
+    if (is_simulation)
+      read_only_controller(files);
+    else
+      read_controller(files);
+    if (!is_simulation) add_part(files, RosFamily::LocalCostmap);
     if (section_ == "robot") add_part(files, RosFamily::VelocitySmoother);
-    if (is_method()) {
+    if (is_method() || is_simulation) {
       add_part(files, RosFamily::ControllerServer);
       add_part(files, RosFamily::MoveBase);
-      set_library();
     }
+    if (is_method()) set_library();
     remove("from");
     remove("controller");
+    for (const std::string& key : ini_.keys(section_)) given_.insert(key);
     convert_all();
+    for (const std::string& path : robots) add_robot(ros::UrdfRobot::read(path), path);
     return report_;
   }
 
@@ -185,6 +207,17 @@ class SectionResolver {
     if (family == RosFamily::Dwb) set_aside(parts_.back(), "critics does not list it");
   }
 
+  /// The controllers of move_base have the tolerance of the goal; others need no choice.
+  void read_only_controller(const ParameterFiles& files) {
+    const std::vector<Controller> controllers = files.controllers();
+    controllers_ = names_of(controllers);
+    if (controllers.size() > 1 && !ini_.get(section_, "controller")) return;
+    const auto controller = choose_controller(ini_, section_, controllers);
+    if (!controller) return;
+    if (const auto family = family_of(controller->kind))
+      parts_.push_back({*family, controller->name, files.below(controller->path)});
+  }
+
   void require_method(const Controller& controller, const std::optional<RosFamily>& family) const {
     if (family && !method_of(*family).empty()) return;
     throw usage_error(controller.where, "no shipped method is a '" + controller.kind + "'",
@@ -209,9 +242,10 @@ class SectionResolver {
   }
 
   void convert_all() {
-    control_period_ = read_options<SimulationOptions>(ini_, "simulation").control_period;
-    radius_ = section_ == "robot" ? 0 : read_robot_model(ini_).shape().inscribed_radius();
-    for (const std::string& key : ini_.keys(section_)) given_.insert(key);
+    if (is_method())
+      control_period_ = read_options<SimulationOptions>(ini_, "simulation").control_period;
+    if (section_ != "robot" && section_ != "simulation")
+      radius_ = read_robot_model(ini_).shape().inscribed_radius();
     if (kind_ == "mppi") parse_number(ini_.get(section_, "hold").value_or(""), noise_hold_);
     for (const Part& part : parts_) {
       for (const RosParameter& parameter : part.parameters) {
@@ -356,6 +390,81 @@ class SectionResolver {
     }
   }
 
+  /// One value of a robot in URDF; what the .ini or another file says comes first.
+  void set_of_robot(const std::string& path, const std::string& what, const std::string& target,
+                    const std::string& value) {
+    const bool is_shape = target == "radius" || target == "footprint";
+    const RosParameterReport::Line line{what, target + " = " + value};
+    if (is_given(target)) {
+      const std::string given = is_shape && given_.count(target) == 0
+                                    ? "another shape"
+                                    : target + " = " + ini_.get(section_, target).value_or("");
+      report_.overridden.push_back({what, given + " in the .ini"});
+    } else if (is_set(target)) {
+      report_.overridden.push_back({what, target + " of another file"});
+    } else {
+      set_.insert(target);
+      ini_.set(section_, target, value, path + ": ");
+      report_.mapped.push_back(line);
+    }
+  }
+  bool is_set(const std::string& target) const {
+    const bool is_shape = target == "radius" || target == "footprint";
+    return set_.count(target) > 0 ||
+           (is_shape && set_.count("radius") + set_.count("footprint") > 0);
+  }
+
+  void add_robot(const ros::UrdfRobot& robot, const std::string& path) {
+    const bool has_shape = is_given("radius") || is_set("radius");
+    const std::string way_in = "boxes, cylinders or spheres, or [robot] footprint beside from";
+    if (!has_shape && !robot.meshes.empty())
+      throw usage_error(robot.meshes[0], "its collision shape is a mesh, which is not read",
+                        way_in);
+    if (!has_shape && !robot.radius && robot.footprint.empty())
+      throw usage_error(path, "no link has a collision shape", way_in);
+    for (const std::string& mesh : robot.meshes)
+      report_.without_counterpart.push_back({mesh, "a mesh is not read"});
+    const std::string shapes = "collision shapes of '" + robot.name + "'";
+    if (robot.radius) set_of_robot(path, shapes, "radius", format_number(*robot.radius));
+    if (!robot.footprint.empty()) {
+      std::vector<std::string> corners;
+      for (const auto& corner : robot.footprint)
+        corners.push_back(format_number(corner.x) + "," + format_number(corner.y));
+      set_of_robot(path, shapes, "footprint", join(corners, "; "));
+    }
+    const std::string wheels = "limits of the joints of two wheels";
+    if (robot.max_v) set_of_robot(path, wheels, "max_v", format_number(*robot.max_v));
+    if (robot.max_w) set_of_robot(path, wheels, "max_w", format_number(*robot.max_w));
+    add_lasers(robot, path);
+  }
+
+  void add_lasers(const ros::UrdfRobot& robot, const std::string& path) {
+    const std::vector<std::string> sections = ini_.sections();
+    const bool has_lasers = std::any_of(sections.begin(), sections.end(), [](const auto& name) {
+      return starts_with(name, "laser.");
+    });
+    for (const ros::UrdfLaser& laser : robot.lasers) {
+      const std::string what = "laser of '" + laser.name + "'";
+      std::string section = "laser." + laser.name;
+      while (!has_lasers && ini_.has_section(section)) section += "_";  // another one of the link
+      if (has_lasers) {
+        report_.overridden.push_back({what, "[laser.NAME] of the .ini"});
+        continue;
+      }
+      const auto set = [&](const std::string& key, const std::string& value) {
+        ini_.set(section, key, value, path + ": ");
+      };
+      set("x", format_number(laser.pose.x));
+      set("y", format_number(laser.pose.y));
+      set("yaw", format_number(laser.pose.phi));
+      if (laser.upside_down) set("upside_down", "true");
+      if (laser.aperture) set("aperture_deg", format_number(mrpt::RAD2DEG(*laser.aperture)));
+      if (laser.rays) set("rays", std::to_string(*laser.rays));
+      if (laser.max_range) set("max_range", format_number(*laser.max_range));
+      report_.mapped.push_back({what, "[" + section + "]"});
+    }
+  }
+
   IniFile& ini_;
   const std::string section_;
   std::string kind_;    // the section of rows of the table
@@ -402,7 +511,9 @@ void replace_value(const RosParameterReport::Edit& edit, std::string& line) {
 }  // namespace
 
 void RosParameterSource::visit(OptionVisitor& v) {
-  v.option("from", from, "parameters of Nav2 or move_base (.yaml), comma-separated files");
+  v.option(
+      "from", from,
+      "parameters of Nav2 or move_base (.yaml), of [robot] also a .urdf; comma-separated files");
   v.option("controller", controller, "with from: a controller of these files; empty: the only one");
 }
 
@@ -437,11 +548,12 @@ std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini) {
   std::vector<std::string> sections;
   for (const std::string& section : ini.sections())
     if (ini.get(section, "from") &&
-        (section == "robot" || section == "sensor" || starts_with(section, "method.")))
+        (contains({"simulation", "robot", "sensor"}, section) || starts_with(section, "method.")))
       sections.push_back(section);
-  // Conversions of methods use the robot.
-  std::stable_partition(sections.begin(), sections.end(),
-                        [](const std::string& section) { return section == "robot"; });
+  // Conversions of methods use the robot and the control period.
+  for (const char* const first : {"simulation", "robot"})
+    std::stable_partition(sections.begin(), sections.end(),
+                          [&](const std::string& section) { return section == first; });
   std::vector<RosParameterReport> reports;
   for (const std::string& section : sections)
     reports.push_back(SectionResolver(ini, section).resolve());

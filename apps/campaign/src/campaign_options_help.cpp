@@ -47,7 +47,7 @@ void visit_campaign_options(const SectionVisitor& visit) {
   visit_section<LaserModel>(visit, "laser.NAME");
   visit_section<OdometryModel>(visit, "odometry");
   visit_section<TrackerModel>(visit, "tracks");
-  visit_section<SimulationOptions>(visit, "simulation");
+  visit_section_with_source<SimulationOptions>(visit, "simulation");
   visit_section<PeopleSettings>(visit, "people");
   visit_section<OmplOptions>(visit, "reference");
   visit_section<MetricsSection>(visit, "metrics");

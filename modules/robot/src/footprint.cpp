@@ -143,18 +143,6 @@ bool is_convex(const std::vector<TPoint2D>& corners) {
   return true;
 }
 
-std::vector<TPoint2D> hull_of(const std::vector<TPoint2D>& corners) {
-  if (is_convex(corners)) return corners;
-  using Point = boost::geometry::model::d2::point_xy<double>;
-  boost::geometry::model::multi_point<Point> points;
-  for (const TPoint2D& corner : corners) points.emplace_back(corner.x, corner.y);
-  boost::geometry::model::ring<Point, false, false> ring;  // counter-clockwise, open
-  boost::geometry::convex_hull(points, ring);
-  std::vector<TPoint2D> hull;
-  for (const Point& point : ring) hull.emplace_back(point.x(), point.y());
-  return hull;
-}
-
 /// Whether the center is inside, by the sides above it (even-odd rule).
 bool contains_center(const std::vector<TPoint2D>& corners) {
   bool inside = false;
@@ -176,6 +164,17 @@ double distance_to_side(const TPoint2D& a, const TPoint2D& b) {
 
 }  // namespace
 
+std::vector<TPoint2D> convex_hull(const std::vector<TPoint2D>& points) {
+  using Point = boost::geometry::model::d2::point_xy<double>;
+  boost::geometry::model::multi_point<Point> cloud;
+  for (const TPoint2D& point : points) cloud.emplace_back(point.x, point.y);
+  boost::geometry::model::ring<Point, false, false> ring;  // counter-clockwise, open
+  boost::geometry::convex_hull(cloud, ring);
+  std::vector<TPoint2D> hull;
+  for (const Point& point : ring) hull.emplace_back(point.x(), point.y());
+  return hull;
+}
+
 Footprint Footprint::disc(double radius) {
   Footprint footprint;
   footprint.inscribed_ = footprint.enclosing_ = radius;
@@ -189,7 +188,7 @@ Footprint Footprint::parse(const std::string& text) {
   check_simple(written);
   auto& corners = footprint.corners_;
   for (const Corner& corner : written) corners.push_back(corner.point);
-  footprint.hull_ = hull_of(corners);
+  footprint.hull_ = is_convex(corners) ? corners : convex_hull(corners);
   footprint.inscribed_ = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const TPoint2D &a = corners[i], &b = corners[(i + 1) % corners.size()];

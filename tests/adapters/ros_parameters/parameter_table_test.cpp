@@ -5,6 +5,7 @@
 #include <slalom/core/text.h>
 #include <slalom/robot/robot_model.h>
 #include <slalom/ros_parameters/parameter_table.h>
+#include <slalom/simulation/simulate.h>
 
 #include <gtest/gtest.h>
 
@@ -22,10 +23,11 @@ std::vector<std::string> keys_of() {
   return keys;
 }
 
-/// The keys of [robot], of [sensor], or of a shipped method: its .ini has all.
+/// The keys of [robot], of [sensor], of [simulation], or of a shipped method: its .ini has all.
 std::vector<std::string> keys_of(const std::string& section) {
   if (section == "robot") return keys_of<RobotModel>();
   if (section == "sensor") return keys_of<SensorModel>();
+  if (section == "simulation") return keys_of<SimulationOptions>();
   return IniFile::load(SLALOM_REACTIVE_FOLDER "/" + section + "/" + section + ".ini")
       .keys("method." + section);
 }

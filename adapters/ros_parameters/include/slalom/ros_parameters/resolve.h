@@ -9,7 +9,7 @@
 
 namespace slalom {
 
-/// The keys that name files of parameters, in [robot], [sensor] and [method.NAME].
+/// The keys that name files of parameters, in [simulation], [robot], [sensor] and [method.NAME].
 struct RosParameterSource {
   std::string from;        ///< files, comma-separated
   std::string controller;  ///< of the files; empty: the only one
@@ -42,8 +42,9 @@ struct RosParameterReport {
 };
 
 /// Replaces `from` and `controller` by the keys that follow from the files, except keys that the
-/// section has. Throws Error: (File) for a file that cannot be read, (Usage) for a value that
-/// cannot be converted, a controller that is not in the files or that has no method here.
+/// section has. A robot in URDF gives shape, lasers ([laser.NAME]) and limits. Throws Error: (File)
+/// for a file that cannot be read, (Usage) for a value that cannot be converted, a controller that
+/// is not in the files or that has no method here.
 std::vector<RosParameterReport> resolve_ros_parameters(IniFile& ini);
 
 /// A file of parameters and its text with the overridden values.

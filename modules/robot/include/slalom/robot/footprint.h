@@ -40,6 +40,9 @@ class Footprint {
   double inscribed_ = 0, enclosing_ = 0;
 };
 
+/// The corners of the convex hull of points, counter-clockwise.
+std::vector<mrpt::math::TPoint2D> convex_hull(const std::vector<mrpt::math::TPoint2D>& points);
+
 /// m, of a disc that passes wherever the robot does: half the width of a polygon that rotates in
 /// place and drives straight through, or the radius of a robot that is none.
 double passing_radius(double radius, const std::optional<Footprint>& turning_polygon);

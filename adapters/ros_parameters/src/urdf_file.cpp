@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "urdf_file.h"
+
+#include <slalom/core/math.h>
+#include <slalom/core/text.h>
+#include <slalom/robot/footprint.h>
+#include <slalom/xml/xml_file.h>
+
+#include <mrpt/math/wrap2pi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace slalom::ros {
+namespace {
+
+using mrpt::math::TPoint2D;
+using tinyxml2::XMLElement;
+using Vector = std::array<double, 3>;
+
+constexpr char kNameCharacters[] =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+constexpr std::size_t kMaxLinks = 10'000;
+constexpr double kLargest = 1000;  // m, rad, rad/s
+constexpr int kCorners = 32;       // of a polygon around a circle, 0.5 % larger
+
+/// A rotation by rows, and a translation (m).
+struct Frame {
+  std::array<Vector, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Vector at{0, 0, 0};
+
+  Vector turned(const Vector& v) const {
+    Vector result{};
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = rows[i][0] * v[0] + rows[i][1] * v[1] + rows[i][2] * v[2];
+    return result;
+  }
+  Vector operator*(const Vector& v) const {
+    const Vector r = turned(v);
+    return {r[0] + at[0], r[1] + at[1], r[2] + at[2]};
+  }
+  Frame operator*(const Frame& other) const {
+    Frame result;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vector column = turned({other.rows[0][j], other.rows[1][j], other.rows[2][j]});
+      for (std::size_t i = 0; i < 3; ++i) result.rows[i][j] = column[i];
+    }
+    result.at = *this * other.at;
+    return result;
+  }
+  Frame inverse() const {
+    Frame result;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) result.rows[i][j] = rows[j][i];
+    const Vector back = result.turned(at);
+    result.at = {-back[0], -back[1], -back[2]};
+    return result;
+  }
+  double heading() const { return math::atan2(rows[1][0], rows[0][0]); }
+};
+
+/// A shape of a link, in its frame.
+struct Shape {
+  std::vector<Vector> points;  ///< whose convex hull contains it; none of a sphere
+  Vector center{};
+  std::optional<double> radius;  ///< m, of a sphere or a cylinder that stands in the link
+};
+
+struct Link {
+  const XMLElement* element = nullptr;
+  std::vector<Shape> shapes;
+};
+
+struct Joint {
+  const XMLElement* element = nullptr;
+  std::string parent, child, type;
+  Frame origin;
+};
+
+class UrdfReader {
+ public:
+  explicit UrdfReader(const std::string& path) : path_(path), xml_(XmlFile::read(path, kKind)) {}
+
+  UrdfRobot read() {
+    const XMLElement& robot = xml_.root();
+    if (std::string(robot.Name()) != "robot")
+      throw xml_.error(robot, "<" + std::string(robot.Name()) + "> is no robot", kKind);
+    expect_no_xacro(robot);
+    robot_.name = xml_attribute(robot, "name");
+    for (const XMLElement* link : children(robot, "link")) read_link(*link);
+    for (const XMLElement* joint : children(robot, "joint")) read_joint(*joint);
+    place_links();
+    read_footprint();
+    read_wheels();
+    read_lasers(robot);
+    return robot_;
+  }
+
+ private:
+  static constexpr const char* kKind = "a robot in URDF";
+
+  static std::vector<const XMLElement*> children(const XMLElement& element, const char* name) {
+    std::vector<const XMLElement*> all;
+    for (const XMLElement* child = element.FirstChildElement(name); child != nullptr;
+         child = child->NextSiblingElement(name))
+      all.push_back(child);
+    return all;
+  }
+
+  void expect_no_xacro(const XMLElement& robot) const {
+    for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement())
+      if (starts_with(child->Name(), "xacro:"))
+        throw xml_.error(*child, "is xacro", "its result: xacro FILE > robot.urdf");
+  }
+
+  std::vector<double> numbers(const XMLElement& element, const char* attribute,
+                              std::size_t count) const {
+    const std::string text = xml_attribute(element, attribute);
+    if (text.empty())
+      throw xml_.error(element, "<" + std::string(element.Name()) + "> has no " + attribute,
+                       count_text(count, "number"));
+    const std::vector<double> all = xml_.numbers(element, text, count);
+    for (const double number : all)
+      if (std::abs(number) > kLargest)
+        throw xml_.error(element, std::string(attribute) + " has " + format_number(number),
+                         "at most " + format_number(kLargest));
+    return all;
+  }
+
+  double size(const XMLElement& element, const char* attribute) const {
+    const double number = numbers(element, attribute, 1)[0];
+    if (!(number > 0))
+      throw xml_.error(element, std::string(attribute) + " = " + format_number(number),
+                       "more than 0 m");
+    return number;
+  }
+
+  /// The frame of <origin xyz rpy>: rotations about the fixed axes x, y, z in turn.
+  Frame origin_of(const XMLElement& element) const {
+    Frame frame;
+    const XMLElement* origin = element.FirstChildElement("origin");
+    if (origin == nullptr) return frame;
+    if (origin->Attribute("xyz") != nullptr) {
+      const auto xyz = numbers(*origin, "xyz", 3);
+      frame.at = {xyz[0], xyz[1], xyz[2]};
+    }
+    if (origin->Attribute("rpy") != nullptr) {
+      const auto rpy = numbers(*origin, "rpy", 3);
+      const auto [sr, cr] = math::sin_cos(rpy[0]);
+      const auto [sp, cp] = math::sin_cos(rpy[1]);
+      const auto [sy, cy] = math::sin_cos(rpy[2]);
+      frame.rows = {{{cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr},
+                     {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
+                     {-sp, cp * sr, cp * cr}}};
+    }
+    return frame;
+  }
+
+  void read_link(const XMLElement& element) {
+    const std::string name = xml_attribute(element, "name");
+    Link link{&element, {}};
+    for (const XMLElement* collision : children(element, "collision")) {
+      const XMLElement* geometry = collision->FirstChildElement("geometry");
+      const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
+      if (shape == nullptr)
+        throw xml_.error(*collision, "has no geometry", "a box, a cylinder, a sphere or a mesh");
+      const std::string kind = shape->Name();
+      if (kind == "mesh") {
+        robot_.meshes.push_back(path_ + ":" + std::to_string(shape->GetLineNum()) + ": " + name);
+        continue;
+      }
+      link.shapes.push_back(shape_of(*shape, kind, origin_of(*collision)));
+    }
+    if (name.empty() || !links_.emplace(name, link).second)
+      throw xml_.error(element, "'" + name + "' is no name of a link of its own", "another name");
+    if (links_.size() > kMaxLinks)
+      throw xml_.error(element, "has too many links", "at most " + std::to_string(kMaxLinks));
+  }
+
+  Shape shape_of(const XMLElement& element, const std::string& kind, const Frame& frame) const {
+    Shape shape;
+    shape.center = frame.at;
+    if (kind == "box") {
+      const auto size = numbers(element, "size", 3);
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+          for (const double z : {-0.5, 0.5})
+            shape.points.push_back(frame * Vector{x * size[0], y * size[1], z * size[2]});
+      return shape;
+    }
+    if (kind != "sphere" && kind != "cylinder")
+      throw xml_.error(element, "<" + kind + "> is no shape", "box, cylinder, sphere or mesh");
+    const double radius = size(element, "radius");
+    if (kind == "cylinder") {
+      const double length = size(element, "length");
+      for (const double side : {-0.5, 0.5})
+        for (const TPoint2D& p : polygon_around(radius))
+          shape.points.push_back(frame * Vector{p.x, p.y, side * length});
+    }
+    if (kind == "sphere" || is_upright(frame)) shape.radius = radius;
+    return shape;
+  }
+
+  /// A polygon around a circle.
+  static std::vector<TPoint2D> polygon_around(double radius) {
+    std::vector<TPoint2D> corners;
+    for (int i = 0; i < kCorners; ++i) {
+      const auto [s, c] = math::sin_cos(2 * M_PI * i / kCorners);
+      const double distance = radius / math::cos(M_PI / kCorners);
+      corners.emplace_back(distance * c, distance * s);
+    }
+    return corners;
+  }
+  static bool is_upright(const Frame& frame) { return std::abs(frame.rows[2][2]) > 1 - 1e-9; }
+
+  void read_joint(const XMLElement& element) {
+    const auto link = [&](const char* name) {
+      const XMLElement* end = element.FirstChildElement(name);
+      const std::string found = end == nullptr ? "" : xml_attribute(*end, "link");
+      if (links_.count(found) == 0)
+        throw xml_.error(element, "its " + std::string(name) + " '" + found + "' is no link",
+                         "the name of a link");
+      return found;
+    };
+    const Joint joint{&element, link("parent"), link("child"), xml_attribute(element, "type"),
+                      origin_of(element)};
+    if (!joint_of_.emplace(joint.child, joints_.size()).second)
+      throw xml_.error(element, "link '" + joint.child + "' has another joint", "one parent");
+    joints_.push_back(joint);
+  }
+
+  /// The frame of each link in that of the root, then in that of the robot.
+  void place_links() {
+    std::map<std::string, std::vector<const Joint*>> below;
+    for (const Joint& joint : joints_) below[joint.parent].push_back(&joint);
+    std::vector<std::string> open;
+    for (const auto& [name, link] : links_)
+      if (joint_of_.count(name) == 0) open.push_back(name);
+    if (open.size() != 1)
+      throw xml_.error(xml_.root(), "has " + count_text(open.size(), "root link"), "one");
+    frames_[open[0]] = Frame();
+    while (!open.empty()) {
+      const std::string name = open.back();
+      open.pop_back();
+      for (const Joint* joint : below[name]) {
+        frames_[joint->child] = frames_.at(name) * joint->origin;
+        open.push_back(joint->child);
+      }
+    }
+    if (frames_.size() != links_.size())
+      throw xml_.error(xml_.root(), "has joints in a circle", "a tree of links");
+    const auto base = frames_.find("base_link");
+    if (base == frames_.end()) return;
+    const Frame to_robot = base->second.inverse();
+    for (auto& [name, frame] : frames_) frame = to_robot * frame;
+  }
+
+  /// To 0.1 mm, so that angles such as 1.5708 give straight sides.
+  static double rounded(double length) { return std::round(length * 1e4) / 1e4 + 0.0; }
+
+  void read_footprint() {
+    constexpr double kSame = 1e-3;  // m
+    std::vector<TPoint2D> points;
+    double disc = 0, farthest = 0;
+    for (const auto& [name, link] : links_) {
+      for (const Shape& shape : link.shapes) {
+        const Frame& frame = frames_.at(name);
+        const Vector center = frame * shape.center;
+        const bool is_sphere = shape.points.empty();
+        std::vector<TPoint2D> seen;  // from above
+        for (const Vector& point : shape.points) {
+          const Vector p = frame * point;
+          seen.emplace_back(p[0], p[1]);
+        }
+        if (is_sphere)
+          for (const TPoint2D& p : polygon_around(*shape.radius))
+            seen.emplace_back(center[0] + p.x, center[1] + p.y);
+        const bool is_central = shape.radius && (is_sphere || is_upright(frame)) &&
+                                math::hypot(center[0], center[1]) < kSame;
+        if (is_central) disc = std::max(disc, *shape.radius);
+        for (const TPoint2D& p : seen) {
+          points.emplace_back(rounded(p.x), rounded(p.y));
+          if (!is_central) farthest = std::max(farthest, math::hypot(p.x, p.y));
+        }
+      }
+    }
+    if (points.empty()) return;
+    if (disc > 0 && farthest <= disc + kSame)
+      robot_.radius = disc;
+    else
+      robot_.footprint = convex_hull(points);
+  }
+
+  /// m, of the wheel that a link is: its only shape, round.
+  std::optional<double> wheel_radius(const std::string& link) const {
+    const std::vector<Shape>& shapes = links_.at(link).shapes;
+    const XMLElement* shape = nullptr;
+    for (const XMLElement* collision : children(*links_.at(link).element, "collision"))
+      shape = collision->FirstChildElement("geometry")->FirstChildElement();
+    if (shapes.size() != 1 || shape == nullptr || shape->Attribute("radius") == nullptr)
+      return std::nullopt;
+    return size(*shape, "radius");
+  }
+
+  void read_wheels() {
+    struct Wheel {
+      double side, speed;  // m, m/s
+    };
+    std::vector<Wheel> wheels;
+    for (const Joint& joint : joints_) {
+      const XMLElement* limit = joint.element->FirstChildElement("limit");
+      if (joint.type != "continuous" || limit == nullptr || limit->Attribute("velocity") == nullptr)
+        continue;
+      Vector axis{1, 0, 0};  // the default of URDF
+      if (const XMLElement* given = joint.element->FirstChildElement("axis")) {
+        const auto xyz = numbers(*given, "xyz", 3);
+        axis = {xyz[0], xyz[1], xyz[2]};
+      }
+      const Frame& frame = frames_.at(joint.child);
+      const Vector turned = frame.turned(axis);
+      const auto radius = wheel_radius(joint.child);
+      const double speed = numbers(*limit, "velocity", 1)[0];
+      const bool is_lateral = std::abs(turned[1]) > 0.999 * math::hypot(turned[0], turned[1]) &&
+                              std::abs(turned[2]) < 1e-3;
+      if (radius && is_lateral && speed > 0) wheels.push_back({frame.at[1], speed * *radius});
+    }
+    if (wheels.size() != 2 || !(wheels[0].side * wheels[1].side < 0)) return;
+    robot_.max_v = std::min(wheels[0].speed, wheels[1].speed);
+    robot_.max_w = 2 * *robot_.max_v / std::abs(wheels[0].side - wheels[1].side);
+  }
+
+  UrdfLaser laser_at(const std::string& link) const {
+    const Frame& frame = frames_.at(link);
+    UrdfLaser laser;
+    laser.name = link;
+    laser.pose = {frame.at[0], frame.at[1], frame.heading()};
+    laser.upside_down = frame.rows[2][2] < 0;
+    return laser;
+  }
+
+  /// Sensors of Gazebo that measure ranges, in their links.
+  void read_lasers(const XMLElement& robot) {
+    for (const XMLElement* gazebo : children(robot, "gazebo")) {
+      const std::string link = xml_attribute(*gazebo, "reference");
+      for (const XMLElement* sensor : children(*gazebo, "sensor")) {
+        const std::string type = xml_attribute(*sensor, "type");
+        if (!contains({"ray", "gpu_ray", "lidar", "gpu_lidar"}, type)) continue;
+        if (links_.count(link) == 0)
+          throw xml_.error(*gazebo, "its reference '" + link + "' is no link",
+                           "the name of a link");
+        if (link.find_first_not_of(kNameCharacters) != std::string::npos)
+          throw xml_.error(*gazebo, "'" + link + "' is no name of a laser",
+                           "letters, digits, - and _");
+        robot_.lasers.push_back(laser_at(link));
+        const XMLElement* ray = sensor->FirstChildElement("ray");
+        if (ray == nullptr) ray = sensor->FirstChildElement("lidar");
+        if (ray != nullptr) read_rays(*ray, robot_.lasers.back());
+      }
+    }
+  }
+
+  /// <scan><horizontal> and <range>; a scan is symmetric to the direction of a laser.
+  void read_rays(const XMLElement& ray, UrdfLaser& laser) const {
+    const auto number = [&](const XMLElement* parent, const char* name) -> std::optional<double> {
+      const XMLElement* found = parent == nullptr ? nullptr : parent->FirstChildElement(name);
+      if (found == nullptr) return std::nullopt;
+      return xml_.numbers(*found, 1)[0];
+    };
+    const XMLElement* scan = ray.FirstChildElement("scan");
+    const XMLElement* horizontal =
+        scan == nullptr ? nullptr : scan->FirstChildElement("horizontal");
+    const auto from = number(horizontal, "min_angle"), to = number(horizontal, "max_angle");
+    if (from && to) {
+      laser.aperture = *to - *from;
+      const double middle = 0.5 * (*from + *to);
+      laser.pose.phi =
+          mrpt::math::wrapToPi(laser.pose.phi + (laser.upside_down ? -middle : middle));
+    }
+    if (const auto samples = number(horizontal, "samples"); samples && *samples < 1e6)
+      laser.rays = static_cast<int>(*samples);
+    laser.max_range = number(ray.FirstChildElement("range"), "max");
+  }
+
+  std::string path_;
+  XmlFile xml_;
+  UrdfRobot robot_;
+  std::map<std::string, Link> links_;
+  std::vector<Joint> joints_;
+  std::map<std::string, std::size_t> joint_of_;  // of the child
+  std::map<std::string, Frame> frames_;
+};
+
+}  // namespace
+
+UrdfRobot UrdfRobot::read(const std::string& path) {
+  return UrdfReader(path).read();
+}
+
+}  // namespace slalom::ros
