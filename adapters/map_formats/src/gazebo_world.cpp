@@ -24,15 +24,6 @@ constexpr std::size_t kMaxElements = 2'000'000;  // models, links and shapes tha
 constexpr std::size_t kMaxIncludes = 10'000;
 constexpr double kActorRadius = 0.3;  // m: an actor has no shape but its mesh
 
-/// The children of an element with a name.
-std::vector<const XMLElement*> children(const XMLElement& element, const char* name) {
-  std::vector<const XMLElement*> all;
-  for (const XMLElement* child = element.FirstChildElement(name); child != nullptr;
-       child = child->NextSiblingElement(name))
-    all.push_back(child);
-  return all;
-}
-
 std::string name_of(const XMLElement& element) {
   return xml_attribute(element, "name");
 }
@@ -78,9 +69,9 @@ class GazeboReader {
     const Scope scope{world == nullptr ? root : *world, Placement(), file};
     if (world != nullptr) read_state(*world, file);
     add_models(scope);
-    for (const XMLElement* actor : children(scope.element, "actor")) add_actor(*actor, file);
+    for (const XMLElement* actor : xml_children(scope.element, "actor")) add_actor(*actor, file);
     for (const char* kind : {"population", "road"})
-      for (const XMLElement* other : children(scope.element, kind))
+      for (const XMLElement* other : xml_children(scope.element, kind))
         parts_.leave_out(std::string(kind) + "s", name_of(*other));
     return parts_.finish(name);
   }
@@ -88,8 +79,8 @@ class GazeboReader {
  private:
   /// A saved world states where its models were at that time.
   void read_state(const XMLElement& world, const SdfFile& file) {
-    for (const XMLElement* state : children(world, "state"))
-      for (const XMLElement* model : children(*state, "model"))
+    for (const XMLElement* state : xml_children(world, "state"))
+      for (const XMLElement* model : xml_children(*state, "model"))
         if (const XMLElement* pose = model->FirstChildElement("pose"))
           saved_poses_[name_of(*model)] = local_pose(*pose, file);
   }
@@ -126,7 +117,7 @@ class GazeboReader {
     if (name == "world") return Placement();
     if (depth > kMaxDepth) return std::nullopt;
     for (const char* kind : {"link", "frame", "model"})
-      for (const XMLElement* child : children(scope.element, kind))
+      for (const XMLElement* child : xml_children(scope.element, kind))
         if (name_of(*child) == name) return pose_in(scope, *child, depth + 1);
     return std::nullopt;
   }
@@ -134,13 +125,13 @@ class GazeboReader {
   void visit() { parts_.count(elements_, kMaxElements, "models and links"); }
 
   void add_models(const Scope& scope) {
-    for (const XMLElement* model : children(scope.element, "model")) {
+    for (const XMLElement* model : xml_children(scope.element, "model")) {
       visit();
       auto pose = pose_in(scope, *model);
       if (scope.depth == 0) use_saved(name_of(*model), pose);
       add_model(scope, *model, pose, name_of(*model));
     }
-    for (const XMLElement* include : children(scope.element, "include"))
+    for (const XMLElement* include : xml_children(scope.element, "include"))
       add_include(scope, *include);
   }
 
@@ -157,7 +148,7 @@ class GazeboReader {
       return parts_.leave_out("models relative to other frames", name);
     if (outer.depth >= kMaxDepth) return parts_.leave_out("models nested too deeply", name);
     const Scope scope{model, *pose, outer.file, outer.depth + 1};
-    for (const XMLElement* link : children(model, "link")) {
+    for (const XMLElement* link : xml_children(model, "link")) {
       visit();
       const auto frame = pose_in(scope, *link);
       if (!frame) {
@@ -165,7 +156,7 @@ class GazeboReader {
         continue;
       }
       const Scope in_link{*link, *frame, scope.file, scope.depth};
-      for (const XMLElement* collision : children(*link, "collision"))
+      for (const XMLElement* collision : xml_children(*link, "collision"))
         add_collision(in_link, *collision, name);
     }
     add_models(scope);
@@ -248,7 +239,7 @@ class GazeboReader {
   void add_polyline(const Placement& pose, const XMLElement& polyline, const XmlFile& xml,
                     const std::string& model) {
     Polygon outline;
-    for (const XMLElement* point : children(polyline, "point")) {
+    for (const XMLElement* point : xml_children(polyline, "point")) {
       const auto xy = xml.numbers(*point, 2);
       outline.vertices.emplace_back(xy[0], xy[1]);
     }
@@ -278,7 +269,7 @@ class GazeboReader {
     if (path != nullptr) {
       const XMLElement* delay = script->FirstChildElement("delay_start");
       const double begin = delay == nullptr ? 0 : file.xml.numbers(*delay, 1)[0];
-      for (const XMLElement* waypoint : children(*path, "waypoint"))
+      for (const XMLElement* waypoint : xml_children(*path, "waypoint"))
         mover.waypoints.push_back(waypoint_of(*waypoint, begin, file));
     }
     if (mover.waypoints.empty()) return parts_.leave_out("actors without waypoints", mover.id);

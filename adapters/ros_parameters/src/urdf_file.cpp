@@ -2,6 +2,7 @@
 #include "urdf_file.h"
 
 #include <slalom/core/math.h>
+#include <slalom/core/placement.h>
 #include <slalom/core/text.h>
 #include <slalom/robot/footprint.h>
 #include <slalom/xml/xml_file.h>
@@ -9,7 +10,7 @@
 #include <mrpt/math/wrap2pi.h>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -18,54 +19,17 @@ namespace slalom::ros {
 namespace {
 
 using mrpt::math::TPoint2D;
+using mrpt::math::TPoint3D;
 using tinyxml2::XMLElement;
-using Vector = std::array<double, 3>;
 
-constexpr char kNameCharacters[] =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
 constexpr std::size_t kMaxLinks = 10'000;
 constexpr double kLargest = 1000;  // m, rad, rad/s
 constexpr int kCorners = 32;       // of a polygon around a circle, 0.5 % larger
 
-/// A rotation by rows, and a translation (m).
-struct Frame {
-  std::array<Vector, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  Vector at{0, 0, 0};
-
-  Vector turned(const Vector& v) const {
-    Vector result{};
-    for (std::size_t i = 0; i < 3; ++i)
-      result[i] = rows[i][0] * v[0] + rows[i][1] * v[1] + rows[i][2] * v[2];
-    return result;
-  }
-  Vector operator*(const Vector& v) const {
-    const Vector r = turned(v);
-    return {r[0] + at[0], r[1] + at[1], r[2] + at[2]};
-  }
-  Frame operator*(const Frame& other) const {
-    Frame result;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Vector column = turned({other.rows[0][j], other.rows[1][j], other.rows[2][j]});
-      for (std::size_t i = 0; i < 3; ++i) result.rows[i][j] = column[i];
-    }
-    result.at = *this * other.at;
-    return result;
-  }
-  Frame inverse() const {
-    Frame result;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) result.rows[i][j] = rows[j][i];
-    const Vector back = result.turned(at);
-    result.at = {-back[0], -back[1], -back[2]};
-    return result;
-  }
-  double heading() const { return math::atan2(rows[1][0], rows[0][0]); }
-};
-
 /// A shape of a link, in its frame.
 struct Shape {
-  std::vector<Vector> points;  ///< whose convex hull contains it; none of a sphere
-  Vector center{};
+  std::vector<TPoint3D> points;  ///< whose convex hull contains it; none of a sphere
+  TPoint3D center;
   std::optional<double> radius;  ///< m, of a sphere or a cylinder that stands in the link
 };
 
@@ -77,7 +41,7 @@ struct Link {
 struct Joint {
   const XMLElement* element = nullptr;
   std::string parent, child, type;
-  Frame origin;
+  Placement origin;
 };
 
 class UrdfReader {
@@ -90,8 +54,8 @@ class UrdfReader {
       throw xml_.error(robot, "<" + std::string(robot.Name()) + "> is no robot", kKind);
     expect_no_xacro(robot);
     robot_.name = xml_attribute(robot, "name");
-    for (const XMLElement* link : children(robot, "link")) read_link(*link);
-    for (const XMLElement* joint : children(robot, "joint")) read_joint(*joint);
+    for (const XMLElement* link : xml_children(robot, "link")) read_link(*link);
+    for (const XMLElement* joint : xml_children(robot, "joint")) read_joint(*joint);
     place_links();
     read_footprint();
     read_wheels();
@@ -101,14 +65,6 @@ class UrdfReader {
 
  private:
   static constexpr const char* kKind = "a robot in URDF";
-
-  static std::vector<const XMLElement*> children(const XMLElement& element, const char* name) {
-    std::vector<const XMLElement*> all;
-    for (const XMLElement* child = element.FirstChildElement(name); child != nullptr;
-         child = child->NextSiblingElement(name))
-      all.push_back(child);
-    return all;
-  }
 
   void expect_no_xacro(const XMLElement& robot) const {
     for (const XMLElement* child = robot.FirstChildElement(); child != nullptr;
@@ -139,31 +95,22 @@ class UrdfReader {
     return number;
   }
 
-  /// The frame of <origin xyz rpy>: rotations about the fixed axes x, y, z in turn.
-  Frame origin_of(const XMLElement& element) const {
-    Frame frame;
+  /// The pose of <origin xyz rpy>: rotations about the fixed axes x, y, z in turn.
+  Placement origin_of(const XMLElement& element) const {
     const XMLElement* origin = element.FirstChildElement("origin");
-    if (origin == nullptr) return frame;
-    if (origin->Attribute("xyz") != nullptr) {
-      const auto xyz = numbers(*origin, "xyz", 3);
-      frame.at = {xyz[0], xyz[1], xyz[2]};
-    }
-    if (origin->Attribute("rpy") != nullptr) {
-      const auto rpy = numbers(*origin, "rpy", 3);
-      const auto [sr, cr] = math::sin_cos(rpy[0]);
-      const auto [sp, cp] = math::sin_cos(rpy[1]);
-      const auto [sy, cy] = math::sin_cos(rpy[2]);
-      frame.rows = {{{cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr},
-                     {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
-                     {-sp, cp * sr, cp * cr}}};
-    }
-    return frame;
+    const auto three = [&](const char* attribute) {
+      return origin == nullptr || origin->Attribute(attribute) == nullptr
+                 ? std::vector<double>{0, 0, 0}
+                 : numbers(*origin, attribute, 3);
+    };
+    const auto xyz = three("xyz"), rpy = three("rpy");
+    return {xyz[0], xyz[1], xyz[2], rpy[2], rpy[1], rpy[0]};
   }
 
   void read_link(const XMLElement& element) {
     const std::string name = xml_attribute(element, "name");
     Link link{&element, {}};
-    for (const XMLElement* collision : children(element, "collision")) {
+    for (const XMLElement* collision : xml_children(element, "collision")) {
       const XMLElement* geometry = collision->FirstChildElement("geometry");
       const XMLElement* shape = geometry == nullptr ? nullptr : geometry->FirstChildElement();
       if (shape == nullptr)
@@ -181,15 +128,17 @@ class UrdfReader {
       throw xml_.error(element, "has too many links", "at most " + std::to_string(kMaxLinks));
   }
 
-  Shape shape_of(const XMLElement& element, const std::string& kind, const Frame& frame) const {
+  Shape shape_of(const XMLElement& element, const std::string& kind, const Placement& pose) const {
     Shape shape;
-    shape.center = frame.at;
+    shape.center = {pose.x(), pose.y(), pose.z()};
     if (kind == "box") {
       const auto size = numbers(element, "size", 3);
+      if (!std::all_of(size.begin(), size.end(), [](double side) { return side > 0; }))
+        throw xml_.error(element, "a side is not above 0", "three lengths > 0");
       for (const double x : {-0.5, 0.5})
         for (const double y : {-0.5, 0.5})
           for (const double z : {-0.5, 0.5})
-            shape.points.push_back(frame * Vector{x * size[0], y * size[1], z * size[2]});
+            shape.points.push_back(pose.point({x * size[0], y * size[1], z * size[2]}));
       return shape;
     }
     if (kind != "sphere" && kind != "cylinder")
@@ -199,9 +148,9 @@ class UrdfReader {
       const double length = size(element, "length");
       for (const double side : {-0.5, 0.5})
         for (const TPoint2D& p : polygon_around(radius))
-          shape.points.push_back(frame * Vector{p.x, p.y, side * length});
+          shape.points.push_back(pose.point({p.x, p.y, side * length}));
     }
-    if (kind == "sphere" || is_upright(frame)) shape.radius = radius;
+    if (kind == "sphere" || is_upright(pose)) shape.radius = radius;
     return shape;
   }
 
@@ -215,7 +164,9 @@ class UrdfReader {
     }
     return corners;
   }
-  static bool is_upright(const Frame& frame) { return std::abs(frame.rows[2][2]) > 1 - 1e-9; }
+  static bool is_upright(const Placement& pose) {
+    return std::abs(pose.cosine_of_tilt()) > 1 - 1e-9;
+  }
 
   void read_joint(const XMLElement& element) {
     const auto link = [&](const char* name) {
@@ -228,7 +179,7 @@ class UrdfReader {
     };
     const Joint joint{&element, link("parent"), link("child"), xml_attribute(element, "type"),
                       origin_of(element)};
-    if (!joint_of_.emplace(joint.child, joints_.size()).second)
+    if (!children_.insert(joint.child).second)
       throw xml_.error(element, "link '" + joint.child + "' has another joint", "one parent");
     joints_.push_back(joint);
   }
@@ -239,15 +190,15 @@ class UrdfReader {
     for (const Joint& joint : joints_) below[joint.parent].push_back(&joint);
     std::vector<std::string> open;
     for (const auto& [name, link] : links_)
-      if (joint_of_.count(name) == 0) open.push_back(name);
+      if (children_.count(name) == 0) open.push_back(name);
     if (open.size() != 1)
       throw xml_.error(xml_.root(), "has " + count_text(open.size(), "root link"), "one");
-    frames_[open[0]] = Frame();
+    frames_[open[0]] = Placement();
     while (!open.empty()) {
       const std::string name = open.back();
       open.pop_back();
       for (const Joint* joint : below[name]) {
-        frames_[joint->child] = frames_.at(name) * joint->origin;
+        frames_[joint->child] = frames_.at(name) + joint->origin;
         open.push_back(joint->child);
       }
     }
@@ -255,8 +206,8 @@ class UrdfReader {
       throw xml_.error(xml_.root(), "has joints in a circle", "a tree of links");
     const auto base = frames_.find("base_link");
     if (base == frames_.end()) return;
-    const Frame to_robot = base->second.inverse();
-    for (auto& [name, frame] : frames_) frame = to_robot * frame;
+    const Placement to_robot = base->second.inverse();
+    for (auto& [name, frame] : frames_) frame = to_robot + frame;
   }
 
   /// To 0.1 mm, so that angles such as 1.5708 give straight sides.
@@ -268,19 +219,19 @@ class UrdfReader {
     double disc = 0, farthest = 0;
     for (const auto& [name, link] : links_) {
       for (const Shape& shape : link.shapes) {
-        const Frame& frame = frames_.at(name);
-        const Vector center = frame * shape.center;
+        const Placement& frame = frames_.at(name);
+        const TPoint3D center = frame.point(shape.center);
         const bool is_sphere = shape.points.empty();
         std::vector<TPoint2D> seen;  // from above
-        for (const Vector& point : shape.points) {
-          const Vector p = frame * point;
-          seen.emplace_back(p[0], p[1]);
+        for (const TPoint3D& point : shape.points) {
+          const TPoint3D p = frame.point(point);
+          seen.emplace_back(p.x, p.y);
         }
         if (is_sphere)
           for (const TPoint2D& p : polygon_around(*shape.radius))
-            seen.emplace_back(center[0] + p.x, center[1] + p.y);
+            seen.emplace_back(center.x + p.x, center.y + p.y);
         const bool is_central = shape.radius && (is_sphere || is_upright(frame)) &&
-                                math::hypot(center[0], center[1]) < kSame;
+                                math::hypot(center.x, center.y) < kSame;
         if (is_central) disc = std::max(disc, *shape.radius);
         for (const TPoint2D& p : seen) {
           points.emplace_back(rounded(p.x), rounded(p.y));
@@ -299,7 +250,7 @@ class UrdfReader {
   std::optional<double> wheel_radius(const std::string& link) const {
     const std::vector<Shape>& shapes = links_.at(link).shapes;
     const XMLElement* shape = nullptr;
-    for (const XMLElement* collision : children(*links_.at(link).element, "collision"))
+    for (const XMLElement* collision : xml_children(*links_.at(link).element, "collision"))
       shape = collision->FirstChildElement("geometry")->FirstChildElement();
     if (shapes.size() != 1 || shape == nullptr || shape->Attribute("radius") == nullptr)
       return std::nullopt;
@@ -315,18 +266,17 @@ class UrdfReader {
       const XMLElement* limit = joint.element->FirstChildElement("limit");
       if (joint.type != "continuous" || limit == nullptr || limit->Attribute("velocity") == nullptr)
         continue;
-      Vector axis{1, 0, 0};  // the default of URDF
+      TPoint3D axis(1, 0, 0);  // the default of URDF
       if (const XMLElement* given = joint.element->FirstChildElement("axis")) {
         const auto xyz = numbers(*given, "xyz", 3);
         axis = {xyz[0], xyz[1], xyz[2]};
       }
-      const Frame& frame = frames_.at(joint.child);
-      const Vector turned = frame.turned(axis);
+      const Placement& frame = frames_.at(joint.child);
+      const TPoint3D turned = frame.turned(axis);
       const auto radius = wheel_radius(joint.child);
       const double speed = numbers(*limit, "velocity", 1)[0];
-      const bool is_lateral = std::abs(turned[1]) > 0.999 * math::hypot(turned[0], turned[1]) &&
-                              std::abs(turned[2]) < 1e-3;
-      if (radius && is_lateral && speed > 0) wheels.push_back({frame.at[1], speed * *radius});
+      const bool is_lateral = std::abs(turned.y) > 0.999 * turned.norm();
+      if (radius && is_lateral && speed > 0) wheels.push_back({frame.y(), speed * *radius});
     }
     if (wheels.size() != 2 || !(wheels[0].side * wheels[1].side < 0)) return;
     robot_.max_v = std::min(wheels[0].speed, wheels[1].speed);
@@ -334,27 +284,26 @@ class UrdfReader {
   }
 
   UrdfLaser laser_at(const std::string& link) const {
-    const Frame& frame = frames_.at(link);
+    const Placement& frame = frames_.at(link);
     UrdfLaser laser;
     laser.name = link;
-    laser.pose = {frame.at[0], frame.at[1], frame.heading()};
-    laser.upside_down = frame.rows[2][2] < 0;
+    for (char& c : laser.name)
+      if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    laser.pose = {frame.x(), frame.y(), frame.yaw()};
+    laser.upside_down = frame.cosine_of_tilt() < 0;
     return laser;
   }
 
   /// Sensors of Gazebo that measure ranges, in their links.
   void read_lasers(const XMLElement& robot) {
-    for (const XMLElement* gazebo : children(robot, "gazebo")) {
+    for (const XMLElement* gazebo : xml_children(robot, "gazebo")) {
       const std::string link = xml_attribute(*gazebo, "reference");
-      for (const XMLElement* sensor : children(*gazebo, "sensor")) {
+      for (const XMLElement* sensor : xml_children(*gazebo, "sensor")) {
         const std::string type = xml_attribute(*sensor, "type");
         if (!contains({"ray", "gpu_ray", "lidar", "gpu_lidar"}, type)) continue;
         if (links_.count(link) == 0)
           throw xml_.error(*gazebo, "its reference '" + link + "' is no link",
                            "the name of a link");
-        if (link.find_first_not_of(kNameCharacters) != std::string::npos)
-          throw xml_.error(*gazebo, "'" + link + "' is no name of a laser",
-                           "letters, digits, - and _");
         robot_.lasers.push_back(laser_at(link));
         const XMLElement* ray = sensor->FirstChildElement("ray");
         if (ray == nullptr) ray = sensor->FirstChildElement("lidar");
@@ -390,8 +339,8 @@ class UrdfReader {
   UrdfRobot robot_;
   std::map<std::string, Link> links_;
   std::vector<Joint> joints_;
-  std::map<std::string, std::size_t> joint_of_;  // of the child
-  std::map<std::string, Frame> frames_;
+  std::set<std::string> children_;  // of joints
+  std::map<std::string, Placement> frames_;
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace slalom::ros {
 
 /// A laser of a robot; what the file does not say has no value.
 struct UrdfLaser {
-  std::string name;          ///< of its link
+  std::string name;          ///< of its link, with _ for what is no letter or digit
   mrpt::math::TPose2D pose;  ///< in the frame of the robot
   bool upside_down = false;
   std::optional<double> aperture, max_range;  ///< rad, m

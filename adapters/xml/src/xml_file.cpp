@@ -99,6 +99,15 @@ std::vector<double> XmlFile::numbers(const tinyxml2::XMLElement& element, const 
   return all;
 }
 
+std::vector<const tinyxml2::XMLElement*> xml_children(const tinyxml2::XMLElement& element,
+                                                      const char* name) {
+  std::vector<const tinyxml2::XMLElement*> all;
+  for (const tinyxml2::XMLElement* child = element.FirstChildElement(name); child != nullptr;
+       child = child->NextSiblingElement(name))
+    all.push_back(child);
+  return all;
+}
+
 std::string xml_text(const tinyxml2::XMLElement* element) {
   const char* text = element == nullptr ? nullptr : element->GetText();
   return text == nullptr ? "" : trim(text);

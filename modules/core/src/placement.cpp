@@ -45,4 +45,13 @@ Placement Placement::operator+(const Placement& local) const {
   return sum;
 }
 
+Placement Placement::inverse() const {
+  Placement result;
+  result.axes_ = {{{axes_[0].x, axes_[1].x, axes_[2].x},
+                   {axes_[0].y, axes_[1].y, axes_[2].y},
+                   {axes_[0].z, axes_[1].z, axes_[2].z}}};
+  result.at_ = result.turned({-at_.x, -at_.y, -at_.z});
+  return result;
+}
+
 }  // namespace slalom

@@ -186,6 +186,14 @@ TEST_F(Urdf, LasersHaveTheirPosesAndScans) {
   EXPECT_FALSE(robot(text, "[laser.mine]\nx = 0\n").has_section("laser.base_scan"));
 }
 
+TEST_F(Urdf, LasersHaveNamesOfSections) {
+  const std::string text = link("base_link", kBox) + "<link name=\"b] [campaign\"/>\n" +
+                           joint("base_link", "b] [campaign", "") +
+                           "<gazebo reference=\"b] [campaign\"><sensor type=\"ray\"/></gazebo>\n";
+  const IniFile ini = robot(text);
+  EXPECT_TRUE(ini.has_section("laser.b___campaign"));
+}
+
 TEST_F(Urdf, TheParametersOfNav2HaveTheLimitsAndTheFirstShape) {
   write("r.urdf", "<robot name=\"r\">\n" + link("base_link", kBox) + "</robot>\n");
   write("nav.yaml",
@@ -202,6 +210,7 @@ TEST_F(Urdf, WhatIsNoRobotIsRefusedWithItsLine) {
   EXPECT_TRUE(refuses("<xacro:include filename=\"a\"/>\n", ":2", {"xacro", "FILE > robot.urdf"}));
   EXPECT_TRUE(refuses(link("a", "<box size=\"1 1\"/>"), ":2", {"box", "2 numbers", "3"}));
   EXPECT_TRUE(refuses(link("a", "<cylinder radius=\"-1\" length=\"1\"/>"), ":2", {"radius = -1"}));
+  EXPECT_TRUE(refuses(link("a", "<box size=\"1 0 1\"/>"), ":2", {"a side is not above 0"}));
   EXPECT_TRUE(refuses(link("a", "<cone/>"), ":2", {"<cone>", "sphere"}));
   EXPECT_TRUE(refuses(link("a", kBox) + joint("a", "b", ""), ":3", {"child 'b' is no link"}));
   EXPECT_TRUE(refuses(link("a", kBox) + link("b", kBox), ":1", {"2 root links"}));

@@ -31,6 +31,7 @@ TEST(Placement, AgreesWithMrptsPoses) {
     const TPoint3D point(draw(), draw(), draw());
     expect_equal(a.point(point), p.composePoint(point));
     expect_equal((a + b).point(point), (p + q).composePoint(point));
+    expect_equal(a.inverse().point(point), p.inverseComposePoint(point));
     EXPECT_NEAR(a.cosine_of_tilt(), p.getRotationMatrix()(2, 2), 1e-12);
     EXPECT_NEAR(std::remainder(
                     a.yaw() - std::atan2(p.getRotationMatrix()(1, 0), p.getRotationMatrix()(0, 0)),

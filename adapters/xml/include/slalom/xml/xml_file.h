@@ -40,6 +40,10 @@ class XmlFile {
   std::unique_ptr<tinyxml2::XMLDocument> document_;
 };
 
+/// The children of an element with a name.
+std::vector<const tinyxml2::XMLElement*> xml_children(const tinyxml2::XMLElement& element,
+                                                      const char* name);
+
 /// The text of an element and the value of an attribute, trimmed; "" if there is none.
 std::string xml_text(const tinyxml2::XMLElement* element);
 std::string xml_attribute(const tinyxml2::XMLElement& element, const char* name);

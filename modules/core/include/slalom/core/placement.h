@@ -29,6 +29,8 @@ class Placement {
   mrpt::math::TPoint3D point(const mrpt::math::TPoint3D& p) const { return at_ + turned(p); }
   /// The pose that is `local` in the frame of this one.
   Placement operator+(const Placement& local) const;
+  /// The pose of the origin in the frame of this one.
+  Placement inverse() const;
 
  private:
   mrpt::math::TPoint3D at_ = {0, 0, 0};
