@@ -24,29 +24,20 @@ std::string sample_text(const PairedComparison& c) {
   return std::to_string(c.scenarios_a) + " and " + count_text(c.scenarios_b, "unpaired scenario");
 }
 
-std::string interval_text(const std::optional<Interval>& interval, int digits) {
-  if (!interval) return "";
-  return " [" + format_fixed(interval->low, digits) + ", " + format_fixed(interval->high, digits) +
-         "]";
-}
-
 /// ", ratio of geometric means 0.912 [0.850, 0.978]", or the shift, if that decides.
 std::string deciding_text(const PairedComparison& c, int digits) {
   if (c.column.info.is_rate() || c.column.info.kind == QuantityKind::Score) return "";
   if (c.ratio_interval)
-    return ", ratio of geometric means " + format_fixed(*c.ratio, 3) +
-           interval_text(c.ratio_interval, 3);
+    return ", ratio of geometric means " + estimate_text(*c.ratio, c.ratio_interval, 3);
   if (!c.shift || !c.shift->interval) return "";
-  return ", shift " + format_fixed(c.shift->estimate, digits) +
-         interval_text(c.shift->interval, digits);
+  return ", shift " + estimate_text(c.shift->estimate, c.shift->interval, digits);
 }
 
 std::string statistics_text(const PairedComparison& c) {
   const int digits = digits_of(std::max(std::abs(*c.mean_a), std::abs(*c.mean_b)));
-  const std::string text = format_fixed(*c.mean_b, digits) + " against " +
-                           format_fixed(*c.mean_a, digits) + ", difference " +
-                           format_fixed(*c.difference, digits) + interval_text(c.interval, digits) +
-                           deciding_text(c, digits);
+  const std::string text =
+      format_fixed(*c.mean_b, digits) + " against " + format_fixed(*c.mean_a, digits) +
+      ", difference " + estimate_text(*c.difference, c.interval, digits) + deciding_text(c, digits);
   return text + " over " + sample_text(c) + ", " + p_text(c.adjusted_p) + " (" + to_string(c.test) +
          ", " + family_text(c) + ")";
 }

@@ -90,11 +90,8 @@ DataTable view_table(const std::vector<PairedComparison>& family) {
 std::string gate_sentence(const GateResult& result) {
   std::string text = "gate " + result.gate.text + ": " + result.b + " against " + result.a + ": ";
   if (!result.evaluated) return text + "FAILED: no difference available";
-  text += std::string(result.passed ? "passed" : "FAILED") + ": difference " +
-          format_fixed(*result.difference, 4);
-  if (!result.interval) return text;
-  return text + " [" + format_fixed(result.interval->low, 4) + ", " +
-         format_fixed(result.interval->high, 4) + "]";
+  return text + (result.passed ? "passed" : "FAILED") + ": difference " +
+         estimate_text(*result.difference, result.interval, 4);
 }
 
 DataTable gate_table(const std::vector<GateResult>& results) {

@@ -45,29 +45,19 @@ DataTable order_table(const RobustnessTable& table) {
   return rows.table();
 }
 
-std::string estimate_text(double estimate, const std::optional<Interval>& interval) {
-  return format_fixed(estimate, 2) + (interval ? " [" + format_fixed(interval->low, 2) + ", " +
-                                                     format_fixed(interval->high, 2) + "]"
-                                               : "");
-}
-
-/// An order that is kept has an interval above 0; one that differs has a tau below the ceiling's.
+/// A stable order is one whose interval excludes 0 from below.
 std::string order_sentence(const RobustnessTable& table, const RobustnessOrder& order) {
   const RankStability& stability = order.stability;
   const std::string where = "the order of the methods in " + order.column.info.id + " at " +
                             table.parameter + " = " + format_number(order.parameter);
   if (!stability.tau) return where + " cannot be compared: all are equal, or no common scenario";
-  std::string tau = "Kendall's tau " + estimate_text(*stability.tau, stability.interval) +
+  std::string tau = "Kendall's tau " + estimate_text(*stability.tau, stability.interval, 2) +
                     " over " + count_text(stability.scenarios, "scenario");
   if (*stability.tau == 1 && stability.interval && stability.interval->low == 1)
     return where + " is that at the first value: " + tau;
-  if (stability.ceiling) {
-    tau += "; with the same true order it would be " +
-           estimate_text(stability.ceiling->mean, stability.ceiling->interval) +
-           (*stability.tau < stability.ceiling->interval.low
-                ? ", so that the orders are shown to differ"
-                : ", so that the orders are not shown to differ");
-  }
+  if (stability.ceiling)
+    tau += "; if the true means were those seen, in the same order, it would be " +
+           estimate_text(stability.ceiling->mean, stability.ceiling->interval, 2);
   if (stability.interval && stability.interval->low > 0)
     return where + " resembles that at the first value: " + tau;
   return where + " is not shown to resemble that at the first value: " + tau;

@@ -43,6 +43,14 @@ std::string interval_text(const Cell& cell, int digits) {
          "]";
 }
 
+std::string estimate_text(double estimate, const std::optional<Interval>& interval, int digits) {
+  std::string text = format_fixed(estimate, digits);
+  if (interval)
+    text += " [" + format_fixed(interval->low, digits) + ", " +
+            format_fixed(interval->high, digits) + "]";
+  return text;
+}
+
 const std::optional<Interval>& stated_interval(const Cell& cell) {
   return cell.median_interval ? cell.median_interval : cell.interval;
 }

@@ -2,6 +2,7 @@
 #include "text_grid.h"
 
 #include <slalom/analysis/cell_json.h>
+#include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/sim2real.h>
 #include <slalom/core/text.h>
 
@@ -14,11 +15,7 @@ constexpr int kDigits = 3;
 
 std::string interval_text(const Agreement& agreement) {
   if (!agreement.value) return "NA (" + agreement.reason + ")";
-  std::string text = format_fixed(*agreement.value, kDigits);
-  if (agreement.interval)
-    text += " [" + format_fixed(agreement.interval->low, kDigits) + ", " +
-            format_fixed(agreement.interval->high, kDigits) + "]";
-  return text;
+  return estimate_text(*agreement.value, agreement.interval, kDigits);
 }
 
 std::string order_text(const UndecidedOrder& order) {
@@ -30,9 +27,7 @@ std::string order_text(const UndecidedOrder& order) {
 
 std::string ceiling_text(const Agreement& agreement) {
   if (!agreement.ceiling) return "";
-  const auto& [mean, interval] = *agreement.ceiling;
-  return format_fixed(mean, kDigits) + " [" + format_fixed(interval.low, kDigits) + ", " +
-         format_fixed(interval.high, kDigits) + "]";
+  return estimate_text(agreement.ceiling->mean, agreement.ceiling->interval, kDigits);
 }
 
 nlohmann::ordered_json agreement_json(const Agreement& agreement) {

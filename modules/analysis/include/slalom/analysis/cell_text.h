@@ -17,6 +17,8 @@ int column_digits(const CrossTable& table, std::size_t column);
 std::string estimate_text(const Cell& cell, int digits);
 /// The interval of estimate_text(): "[0.88, 0.96]", or "".
 std::string interval_text(const Cell& cell, int digits);
+/// "0.93 [0.88, 0.96]", or "0.93" without an interval.
+std::string estimate_text(double estimate, const std::optional<Interval>& interval, int digits);
 /// The interval of the median if there is one, otherwise of the mean.
 const std::optional<Interval>& stated_interval(const Cell& cell);
 /// Sample size and deviation of the estimate: "42/56" for a rate (successes of values), with "

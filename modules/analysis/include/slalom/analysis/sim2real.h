@@ -24,8 +24,8 @@ struct Sim2RealMethod {
 struct Agreement {
   std::optional<double> value;
   std::optional<Interval> interval;  ///< percentile bootstrap
-  /// Of rank correlations, by the same resamples: what they would be if the method of each rank in
-  /// reality were that of the same rank in simulation.
+  /// What a rank correlation would be, by the same resamples, if the method of each rank in reality
+  /// were that of the same rank in simulation; none of other figures.
   std::optional<NoiseCeiling> ceiling;
   std::string reason;  ///< why there is no value
 };
