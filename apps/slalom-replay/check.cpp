@@ -38,6 +38,7 @@ void check(const CheckArguments& arguments) {
   if (arguments.config.empty() && !arguments.trust)
     require_no_foreign_code(ini, method_sections(ini, name), arguments.log);
   const auto method = all_adapters().read(ini, name).make(options.robot, options.sensor);
+  method->check();
   const auto found = first_difference(run, *method);
   if (found) throw job_error(arguments.log, *found, "the recorded command");
   std::cout << arguments.log << ": " << name << " reproduces all " << run.cycles.size()

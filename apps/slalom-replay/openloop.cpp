@@ -39,6 +39,7 @@ void replay(const OpenLoopArguments& arguments) {
   const CampaignOptions options = read_campaign_options(ini);
   const auto method =
       all_adapters().read(ini, arguments.method).make(options.robot, options.sensor);
+  method->check();
   const LogObjects log = load_log(arguments.log, arguments.selection);
   print_notes(log);
   const auto scans = read_laser_log(log, arguments.label);

@@ -37,6 +37,7 @@ class HookedMethod : public Method {
                std::function<void()> on_finish)
       : method_(method), before_step_(std::move(before_step)), on_finish_(std::move(on_finish)) {}
   void reset(const NavigationTask& task) override { method_.reset(task); }
+  void settle(const Observation& start) override { method_.settle(start); }
   Command step(const Observation& observation) override {
     before_step_(observation);
     return method_.step(observation);

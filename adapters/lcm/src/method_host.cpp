@@ -114,7 +114,9 @@ ready_t MethodHost::handle_run_start(const run_start_t& message) {
 std::optional<command_t> MethodHost::handle_observation(const observation_t& message) {
   if (message.run_id != run_id_ || message.sequence != next_sequence_) return std::nullopt;
   ++next_sequence_;
-  const Command command = method_->step(observation_of(message, sensor_, scan_));
+  const Observation observation = observation_of(message, sensor_, scan_);
+  if (message.sequence == 0) method_->settle(observation);
+  const Command command = method_->step(observation);
   command_t answer = {};
   answer.run_id = message.run_id;
   answer.sequence = message.sequence;

@@ -88,6 +88,7 @@ NavigationTask task_of(const Observation& observation, const OpenLoopSetup& setu
 Command query_method(Method& method, const Observation& observation, const OpenLoopSetup& setup,
                      std::string& problem) try {
   method.reset(task_of(observation, setup));
+  method.settle(observation);
   const Command command = method.step(observation);
   is_valid_command(command, setup.robot, problem);
   return command;

@@ -44,6 +44,7 @@ std::optional<std::string> first_difference(const RecordedRun& run, Method& meth
       where =
           "cycle " + std::to_string(i + 1) + " (" + format_fixed(cycle.observation.time, 2) + " s)";
       set_clock(cycle.stamp);
+      if (i == 0) method.settle(cycle.observation);
       const std::string found = difference(cycle.command, method.step(cycle.observation));
       if (!found.empty()) return where + ": " + found;
     }

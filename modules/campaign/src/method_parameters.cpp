@@ -50,7 +50,9 @@ std::vector<TunableParameter> tunable_parameters(const NamedMethod& method,
   std::vector<TunableParameter> parameters;
   const WorkItem item = [&](std::size_t, SharedTaskLog&) {
     try {
-      return to_bytes(method.make(options.robot, options.sensor)->tunable_parameters());
+      const auto made = method.make(options.robot, options.sensor);
+      made->check();
+      return to_bytes(made->tunable_parameters());
     } catch (const std::exception& error) {
       return ByteWriter().u8(kRefused).text(reason_of(error)).take();
     }

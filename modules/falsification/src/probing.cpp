@@ -34,6 +34,14 @@ class ShadowRun : public Method {
       return true;
     });
   }
+  void settle(const Observation& start) override {
+    method_.settle(start);
+    if (!differs_)
+      compare([&] {
+        shadow_.settle(start);
+        return true;
+      });
+  }
   Command step(const Observation& observation) override {
     const Command command = method_.step(observation);
     if (!differs_) compare([&] { return are_same(command, shadow_.step(observation)); });
@@ -41,6 +49,7 @@ class ShadowRun : public Method {
   }
   bool uses_tracks() const override { return method_.uses_tracks() || shadow_.uses_tracks(); }
   bool uses_map() const override { return method_.uses_map() || shadow_.uses_map(); }
+  bool is_paced() const override { return method_.is_paced(); }
   bool differs() const { return differs_; }
 
  private:
@@ -89,6 +98,7 @@ Command StepProbe::command(std::size_t index, const CommandDifference& probe,
   const SimulationOptions& simulation = setup_.run.simulation;
   method.reset(
       {probe.pose, probe.goal, simulation.goal_tolerance, simulation.control_period, setup_.seed});
+  method.settle(observation);
   return method.step(observation);
 }
 

@@ -114,12 +114,15 @@ class BarrierFilter : public Method {
         shape_(swept(footprint_, 0)),
         known_delay_(robot.delay + robot.delay_tau + sensor.latency) {}
 
+  void check() override { base_->check(); }
   void reset(const NavigationTask& task) override {
     period_ = task.control_period;
     base_->reset(task);
   }
+  void settle(const Observation& start) override { base_->settle(start); }
   bool uses_tracks() const override { return base_->uses_tracks(); }
   bool uses_map() const override { return base_->uses_map(); }
+  bool is_paced() const override { return base_->is_paced(); }
   std::map<std::string, double> run_figures() const override { return base_->run_figures(); }
   void finish(const std::string& outcome) override { base_->finish(outcome); }
 

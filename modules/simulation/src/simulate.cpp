@@ -66,7 +66,10 @@ class Run {
     update_people();  // a run that ended at an update as any other
     result_.hindrances = movers_.hindrances();
     result_.movers = movers_.take();
-    if (started_) notify_method();
+    if (started_) {
+      announce();
+      notify_method();
+    }
     if (observer_ != nullptr) observer_->on_end(result_);
     return std::move(result_);
   }
@@ -84,7 +87,17 @@ class Run {
     if (method_.uses_map()) navigation_task.map = &map;
     started_ = true;
     call_method([&] { method_.reset(navigation_task); });
-    if (observer_ != nullptr) observer_->on_start(navigation_task);
+  }
+
+  void settle(const Observation& observation) {
+    call_method([&] { method_.settle(observation); });
+    announce();
+  }
+
+  /// The run begins for its observer, once.
+  void announce() {
+    if (!announced_ && observer_ != nullptr) observer_->on_start(task());
+    announced_ = true;
   }
 
   /// Exceptions are ignored: the outcome is final.
@@ -133,7 +146,8 @@ class Run {
     update_people();
     if (check_termination()) return;
     const Observation observation = observe();
-    call_method([&] { query_method(observation); });
+    if (!announced_) settle(observation);
+    if (!finished_) call_method([&] { query_method(observation); });
     if (finished_) return;
     record();
     if (observer_ != nullptr) observer_->on_cycle(observation, command_, pose());
@@ -175,7 +189,7 @@ class Run {
     const double begin = setup_.clock();
     const Command command = method_.step(observation);
     const double elapsed = setup_.clock() - begin;
-    result_.cycle_seconds.push_back(elapsed);
+    if (!method_.is_paced()) result_.cycle_seconds.push_back(elapsed);
     std::string reason;
     if (!is_valid_command(command, setup_.robot, reason))
       end(Outcome::MethodInvalidCommand, reason + " " + at(pose(), time_));
@@ -264,7 +278,7 @@ class Run {
   double time_ = 0;
   double traveled_ = 0;  ///< m, along the arcs of the motion steps
   Command command_;
-  bool started_ = false, finished_ = false;
+  bool started_ = false, announced_ = false, finished_ = false;
   SimulationResult result_;
 };
 

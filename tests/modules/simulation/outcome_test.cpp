@@ -218,6 +218,64 @@ TEST(Simulate, EndsARunWhenTheMethodCannotBeReset) {
   EXPECT_EQ(result.trajectory.samples.size(), 1U);
 }
 
+/// Waits long until it is ready, by the clock of the run.
+class SlowStarter : public Method {
+ public:
+  SlowStarter(double& time, bool paced) : time_(time), paced_(paced) {}
+  void reset(const NavigationTask&) override { calls += "reset "; }
+  void settle(const Observation& start) override {
+    calls += "settle ";
+    start_ = start.odometry;
+    time_ += 100;
+  }
+  Command step(const Observation& observation) override {
+    if (observation.time == 0) {
+      calls += "step";
+      EXPECT_EQ(observation.odometry, start_);
+    }
+    time_ += 0.01;
+    return {1, 0};
+  }
+  bool is_paced() const override { return paced_; }
+  std::string calls;
+
+ private:
+  double& time_;
+  bool paced_;
+  mrpt::math::TPose2D start_;
+};
+
+TEST(Simulate, TheTimeUntilAMethodIsReadyIsNotThatOfACycle) {
+  double time = 0;
+  RunSetup setup;
+  setup.clock = [&] { return time; };
+  setup.deadline.cycle_deadline = 0.5;
+  const World world = square_world({1, 5, 0}, {8, 5});
+  for (const bool paced : {false, true}) {
+    SlowStarter method(time, paced);
+    const SimulationResult result = simulate(world, setup, 1, method);
+    EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
+    EXPECT_EQ(method.calls, "reset settle step");
+    if (paced)
+      EXPECT_TRUE(result.cycle_seconds.empty()) << "its computing time is not known";
+    else
+      EXPECT_NEAR(result.cycle_seconds.front(), 0.01, 1e-9);
+  }
+}
+
+class ThrowsInSettle : public ThrowsInReset {
+ public:
+  void reset(const NavigationTask&) override {}
+  void settle(const Observation&) override { throw MethodTimeout("no node"); }
+};
+
+TEST(Simulate, EndsARunWhenTheMethodIsNotReady) {
+  ThrowsInSettle method;
+  const SimulationResult result = run(square_world({1, 5, 0}, {8, 5}), method);
+  EXPECT_EQ(result.outcome, Outcome::MethodDeadline);
+  EXPECT_EQ(result.detail, "no node, at (1.00, 5.00) m after 0.00 s");
+}
+
 TEST(Simulate, EndsARunAsMethodDeadlineOnAMethodTimeout) {
   FunctionMethod waits([](const Observation& o) -> Command {
     if (o.time > 0.45) throw MethodTimeout("no response");

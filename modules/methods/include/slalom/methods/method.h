@@ -94,12 +94,18 @@ const KnownMap& map_of(const NavigationTask& task);
 const std::vector<Track>& tracks_of(const Observation& observation);
 
 /// The interface of an obstacle avoidance method. One object is used for many runs, one after
-/// another: reset(), then step() once per control cycle. After a reset() the same task and
-/// observations must give the same commands.
+/// another: reset(), settle(), then step() once per control cycle. After a reset() the same task
+/// and observations must give the same commands.
 class Method {
  public:
   virtual ~Method() = default;
+  /// Throws Error (Usage) if the method cannot serve runs as it is set up, as when processes that
+  /// it launches do not appear. Called before a campaign, on an object that serves no run.
+  virtual void check() {}
   virtual void reset(const NavigationTask& task) = 0;
+  /// Waits, after reset(), until what answers for the method is ready, as nodes in other processes
+  /// are. The first step() is given the same observation. Its time is not that of a cycle.
+  virtual void settle(const Observation& /*start*/) {}
   virtual Command step(const Observation& observation) = 0;
   /// Whether the method needs the tracks of movers: its results are marked as privileged. The same
   /// for the life of the object.
@@ -107,6 +113,9 @@ class Method {
   /// Whether the method needs the map of static obstacles: privileged, too, and the same for the
   /// life of the object.
   virtual bool uses_map() const { return false; }
+  /// Whether step() lasts a control period of the wall clock, however long the method computes: its
+  /// computing time is then not known. The same for the life of the object.
+  virtual bool is_paced() const { return false; }
   /// The parameters that the method declares for tuning, with their defaults.
   virtual std::vector<TunableParameter> tunable_parameters() const { return {}; }
   /// Figures of the run that depend on the wall clock, by id ("commands_missing", ...), as of

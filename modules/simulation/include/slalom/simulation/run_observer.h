@@ -11,7 +11,7 @@ namespace slalom {
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
-  /// Before the first cycle.
+  /// When the method is ready, before the first cycle.
   virtual void on_start(const NavigationTask& task) = 0;
   /// After each step of the method and before the robot moves. `pose` is the true one; `command` is
   /// in effect until the next cycle.
