@@ -111,10 +111,17 @@ void take_all(dds_entity_t reader, Function function) {
 
 /// A publisher of another participant, from discovery.
 struct Publication {
+  std::string key, participant;  ///< global identifiers of DDS, 16 bytes
   std::string topic, type;
   bool reliable = true;
   bool fast_dds = false;  ///< by the vendor in the first bytes of its address
+  bool has_hash = false;  ///< of its type, as since Iron
 };
+
+template <std::size_t N>
+std::string text_of(const std::uint8_t (&bytes)[N]) {
+  return {reinterpret_cast<const char*>(bytes), N};
+}
 
 class Publications {
  public:
@@ -125,21 +132,16 @@ class Publications {
   dds_entity_t reader() const { return reader_; }
 
   void update() {
-    take_all<dds_builtintopic_endpoint_t>(reader_, [this](
-                                                       const dds_builtintopic_endpoint_t& endpoint,
-                                                       const dds_sample_info_t& info) {
-      const std::string key(reinterpret_cast<const char*>(endpoint.key.v), sizeof endpoint.key.v);
-      if (info.instance_state == DDS_IST_ALIVE && info.valid_data)
-        all_[key] = publication_of(endpoint);
-      else
-        all_.erase(key);
-      return true;
-    });
-  }
-
-  int count(const std::string& topic) const {
-    return static_cast<int>(std::count_if(
-        all_.begin(), all_.end(), [&](const auto& one) { return one.second.topic == topic; }));
+    take_all<dds_builtintopic_endpoint_t>(
+        reader_,
+        [this](const dds_builtintopic_endpoint_t& endpoint, const dds_sample_info_t& info) {
+          const std::string key = text_of(endpoint.key.v);
+          if (info.instance_state == DDS_IST_ALIVE && info.valid_data)
+            all_[key] = publication_of(endpoint);
+          else
+            all_.erase(key);
+          return true;
+        });
   }
 
   std::vector<Publication> on(const std::string& topic) const {
@@ -154,9 +156,19 @@ class Publications {
     dds_reliability_kind_t kind = DDS_RELIABILITY_BEST_EFFORT;
     dds_duration_t blocking = 0;
     dds_qget_reliability(endpoint.qos, &kind, &blocking);
+    void* data = nullptr;
+    std::size_t size = 0;
+    dds_qget_userdata(endpoint.qos, &data, &size);
+    const std::string user_data(static_cast<const char*>(data), size);
+    dds_free(data);
     const std::uint8_t* vendor = endpoint.participant_key.v;
-    return {endpoint.topic_name, endpoint.type_name, kind == DDS_RELIABILITY_RELIABLE,
-            vendor[0] == 0x01 && vendor[1] == 0x0f};
+    return {text_of(endpoint.key.v),
+            text_of(endpoint.participant_key.v),
+            endpoint.topic_name,
+            endpoint.type_name,
+            kind == DDS_RELIABILITY_RELIABLE,
+            vendor[0] == 0x01 && vendor[1] == 0x0f,
+            user_data.find("typehash=") != std::string::npos};
   }
 
   Entity reader_;
@@ -176,6 +188,60 @@ Entity make_writer(dds_entity_t participant, const std::string& topic,
   const Entity handle(topic, dds_create_topic(participant, type, topic.c_str(), nullptr, nullptr));
   return {topic, dds_create_writer(participant, handle, qos.get(), nullptr)};
 }
+
+/// The names of the nodes of other participants, which these announce with their publishers (REP
+/// 2005's graph). Before Iron an identifier has 24 bytes there, since then 16.
+class NodeNames {
+ public:
+  explicit NodeNames(dds_entity_t participant) : participant_(participant) {}
+
+  void update(const Publications& publications) {
+    for (const Publication& one : publications.on(kTopic))
+      if (one.has_hash)
+        take<slalom_ros2_Participant>(reader_, slalom_ros2_Participant_desc);
+      else
+        take<slalom_ros2_ParticipantOfHumble>(old_reader_, slalom_ros2_ParticipantOfHumble_desc);
+  }
+
+  /// The node of a publisher, e.g. "/controller_server"; "" if it is not announced.
+  std::string node_of(const Publication& publisher) const {
+    const auto found = names_.find(publisher.key);
+    return found == names_.end() ? "" : found->second;
+  }
+
+ private:
+  static constexpr char kTopic[] = "ros_discovery_info";
+
+  template <typename Message>
+  void take(Entity& reader, dds_topic_descriptor_t type) {
+    if (reader <= 0) {
+      type.m_typename = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+      const Qos qos = make_qos(true, true, nullptr);
+      dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, 0);
+      reader = make_reader(participant_, kTopic, &type, qos);
+    }
+    take_all<Message>(reader, [this](const Message& message, const dds_sample_info_t& info) {
+      if (info.valid_data) keep(message);
+      return true;
+    });
+  }
+
+  template <typename Message>
+  void keep(const Message& message) {
+    for (std::uint32_t i = 0; i < message.nodes._length; ++i) {
+      const auto& node = message.nodes._buffer[i];
+      const std::string space = node.name_space;
+      const std::string name = (space == "/" ? "" : space) + "/" + node.name;
+      for (std::uint32_t j = 0; j < node.writers._length; ++j)
+        names_[text_of(node.writers._buffer[j].data).substr(0, kIdentifier)] = name;
+    }
+  }
+
+  static constexpr std::size_t kIdentifier = 16;  // bytes
+  dds_entity_t participant_;
+  Entity reader_, old_reader_;
+  std::map<std::string, std::string> names_;  ///< by publisher
+};
 
 /// A service of the parameters of a node. The bodies of its messages have the same encoding in both
 /// middlewares.
@@ -488,6 +554,7 @@ class CycloneLink : public RosLink {
                      dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr)),
         waitset_("waitset", dds_create_waitset(participant_)),
         publications_(participant_),
+        node_names_(participant_),
         clock_(writer("/clock", kClock)),
         odometry_(writer(options.odometry, kOdometry)),
         transforms_(writer(options.tf, kTransforms)),
@@ -531,9 +598,21 @@ class CycloneLink : public RosLink {
     return node_parameters_.at(one.node).apply(one, seconds);
   }
 
-  int publishers() override {
+  /// Nodes of one participant without names are counted as one.
+  std::vector<std::string> publishers() override {
     publications_.update();
-    return publications_.count(command_topic_);
+    node_names_.update(publications_);
+    std::set<std::string> names, unnamed;
+    for (const Publication& one : publications_.on(command_topic_)) {
+      const std::string name = node_names_.node_of(one);
+      if (name.empty())
+        unnamed.insert(one.participant);
+      else
+        names.insert(name);
+    }
+    std::vector<std::string> nodes(names.begin(), names.end());
+    nodes.insert(nodes.end(), unnamed.size(), "a node without a name");
+    return nodes;
   }
 
   void send_goal(const mrpt::math::TPose2D& goal, RosTime stamp) override {
@@ -562,9 +641,30 @@ class CycloneLink : public RosLink {
     dds_wait_for_acks(map_, static_cast<dds_duration_t>(kMapTime * 1e9));
   }
 
-  void send_observation(const Observation& observation, RosTime now, RosTime scan_time) override {
-    send_transform(observation, now);
-    send_odometry(observation, now);
+  void send_transform(const Observation& observation, RosTime now) override {
+    geometry_msgs_msg_dds__TransformStamped_ one{};
+    one.header = header(options_.odometry_frame, now);
+    one.child_frame_id = const_cast<char*>(options_.base_frame.c_str());
+    one.transform.translation = {observation.odometry.x, observation.odometry.y, 0};
+    one.transform.rotation = to_ros(observation.odometry.phi);
+    tf2_msgs_msg_dds__TFMessage_ message{};
+    message.transforms._buffer = &one;
+    message.transforms._length = message.transforms._maximum = 1;
+    write(transforms_, message);
+  }
+
+  void send_odometry(const Observation& observation, RosTime now) override {
+    nav_msgs_msg_dds__Odometry_ message{};
+    message.header = header(options_.odometry_frame, now);
+    message.child_frame_id = const_cast<char*>(options_.base_frame.c_str());
+    message.pose.pose.position = {observation.odometry.x, observation.odometry.y, 0};
+    message.pose.pose.orientation = to_ros(observation.odometry.phi);
+    message.twist.twist.linear = {observation.v, observation.vy, 0};
+    message.twist.twist.angular = {0, 0, observation.w};
+    write(odometry_, message);
+  }
+
+  void send_scans(const Observation& observation, RosTime scan_time) override {
     if (observation.lasers.empty() && !lasers_.front().name.empty())
       throw MethodError("there are no scans of the robot's lasers, as in the replay of a log");
     if (observation.lasers.empty()) return send_scan(0, *observation.scan, scan_time);
@@ -695,29 +795,6 @@ class CycloneLink : public RosLink {
     write(static_transforms_, message);
   }
 
-  void send_transform(const Observation& observation, RosTime now) const {
-    geometry_msgs_msg_dds__TransformStamped_ one{};
-    one.header = header(options_.odometry_frame, now);
-    one.child_frame_id = const_cast<char*>(options_.base_frame.c_str());
-    one.transform.translation = {observation.odometry.x, observation.odometry.y, 0};
-    one.transform.rotation = to_ros(observation.odometry.phi);
-    tf2_msgs_msg_dds__TFMessage_ message{};
-    message.transforms._buffer = &one;
-    message.transforms._length = message.transforms._maximum = 1;
-    write(transforms_, message);
-  }
-
-  void send_odometry(const Observation& observation, RosTime now) const {
-    nav_msgs_msg_dds__Odometry_ message{};
-    message.header = header(options_.odometry_frame, now);
-    message.child_frame_id = const_cast<char*>(options_.base_frame.c_str());
-    message.pose.pose.position = {observation.odometry.x, observation.odometry.y, 0};
-    message.pose.pose.orientation = to_ros(observation.odometry.phi);
-    message.twist.twist.linear = {observation.v, observation.vy, 0};
-    message.twist.twist.angular = {0, 0, observation.w};
-    write(odometry_, message);
-  }
-
   /// Rays without return are +inf, as REP 117 requires.
   void send_scan(std::size_t index, const mrpt::obs::CObservation2DRangeScan& scan, RosTime time) {
     const LaserModel& laser = lasers_[index];
@@ -747,6 +824,7 @@ class CycloneLink : public RosLink {
   std::vector<LaserModel> lasers_;
   Entity domain_, participant_, waitset_;
   Publications publications_;
+  NodeNames node_names_;
   Entity clock_, odometry_, transforms_, static_transforms_, goal_, map_;
   std::vector<Entity> scans_;  ///< of lasers_
   Entity command_;

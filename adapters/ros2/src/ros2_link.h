@@ -40,8 +40,9 @@ class RosLink {
   /// The counterparts that were not found yet, e.g. "a reader of /scan"; empty if all are there.
   /// Throws MethodError if one is there that does not fit.
   virtual std::vector<std::string> missing() = 0;
-  /// The publishers of commands that are there.
-  virtual int publishers() = 0;
+  /// The nodes that publish commands, each once; "a node without a name" for a participant of DDS
+  /// that does not announce its nodes.
+  virtual std::vector<std::string> publishers() = 0;
 
   /// Reads the parameter with this index and, if it has another value, sets it and reads it again,
   /// waiting up to this time (s). Returns what is still missing, e.g. "parameter speed of the node
@@ -52,8 +53,9 @@ class RosLink {
   virtual void send_goal(const mrpt::math::TPose2D& goal, RosTime stamp) = 0;
   /// Returns when the readers have the map.
   virtual void send_map(const KnownMap& map, RosTime stamp) = 0;
-  /// The transform and odometry of `now`, and the scan of `scan_time`.
-  virtual void send_observation(const Observation& observation, RosTime now, RosTime scan_time) = 0;
+  virtual void send_transform(const Observation& observation, RosTime now) = 0;
+  virtual void send_odometry(const Observation& observation, RosTime now) = 0;
+  virtual void send_scans(const Observation& observation, RosTime scan_time) = 0;
   virtual void send_clock(RosTime now) = 0;
 
   /// Whether the node of the barrier with this index has handled all data sent so far, after

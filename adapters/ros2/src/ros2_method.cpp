@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 
@@ -31,9 +32,19 @@ constexpr RosTime kGrid = 10 * kSecond;
 constexpr double kRest = 1;             // s, simulated
 constexpr double kGoalPeriod = 1;       // s, until nodes that are starting have read the goal
 constexpr double kSettlingTime = 0.02;  // s, for commands beyond those that are expected
-constexpr double kShortWait = 0.02;     // s, for a command of nodes that may not be ready
+/// The waits for a command of nodes that may not be ready, s: so many short ones, then longer ones.
+constexpr double kShortWait = 0.02, kLongWait = 0.64;
+constexpr int kShortWaits = 10;
+constexpr double kLongestQuiet = 1.28;  // s, until earlier commands of nodes count as received
 constexpr double kHealthPeriod = 0.05;  // s, between two looks at the process
 constexpr double kClockPeriod = 1;      // s, of wall-clock time, until /clock is sent again
+
+/// The steps of simulated time while nodes start, ns, each after a time of the wall clock, s. In
+/// lock-step they are whole seconds: timers of nodes keep their phase, whenever they are made.
+constexpr RosTime kStartingStep = kSecond / 20, kStartingStepInLockstep = kSecond;
+constexpr double kStartingPeriod = 0.05, kStartingPeriodInLockstep = 0.25;
+/// The free map of a check, in which there is no scenario: its side and its cells, m.
+constexpr double kCheckedMap = 10, kCheckedCell = 0.1;
 
 RosTime nanoseconds(double seconds) {
   return static_cast<RosTime>(std::llround(seconds * 1e9));
@@ -48,25 +59,43 @@ RosTime time_of_running_nodes() {
   return seconds % 2'000'000 * 1000 * kSecond;
 }
 
+/// Distributions since Iron (names follow the alphabet) warn of the variable before it.
+bool knows_discovery_range() {
+  const char* distribution = std::getenv("ROS_DISTRO");
+  return distribution != nullptr && std::string(distribution) >= "iron";
+}
+
+/// Scans without any return.
+std::vector<mrpt::obs::CObservation2DRangeScan> empty_scans(const SensorModel& sensor) {
+  std::vector<mrpt::obs::CObservation2DRangeScan> scans;
+  for (const LaserModel& laser : sensor.all_lasers())
+    scans.emplace_back().resizeScanAndAssign(static_cast<std::size_t>(laser.rays), 0, false);
+  return scans;
+}
+
 /// The simulator's side of the nodes.
 class Ros2Method : public Method {
  public:
   using MakeLink = std::function<std::unique_ptr<RosLink>()>;
 
   Ros2Method(const Ros2Options& options, const RobotModel& robot, const SensorModel& sensor,
-             int domain, WallClock clock, MakeLink make_link)
+             int domain, WallClock clock, MakeLink make_link, OptionLocation where)
       : options_(options),
         barrier_(barrier_nodes(options)),
         parameters_(node_parameters(options)),
         robot_(robot),
         scan_latency_(sensor.latency),
+        empty_scans_(empty_scans(sensor)),
+        has_lasers_(!sensor.lasers.empty()),
         environment_({{"ROS_DOMAIN_ID", std::to_string(domain)},
                       {"ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST"},
-                      {"ROS_LOCALHOST_ONLY", "1"},
                       {"PYTHONUNBUFFERED", "1"}}),  // what they print is of their run
         clock_(std::move(clock)),
         make_link_(std::move(make_link)),
+        where_(std::move(where)),
+        is_paced_(options.mode == Ros2Mode::Realtime),
         last_(options.launch.empty() ? time_of_running_nodes() : 0) {
+    if (!knows_discovery_range()) environment_.emplace_back("ROS_LOCALHOST_ONLY", "1");
     if (!options.rmw.empty()) environment_.emplace_back("RMW_IMPLEMENTATION", options.rmw);
     if (!parameters_.empty() && !options.launch.empty()) {
       folder_.emplace();
@@ -77,90 +106,144 @@ class Ros2Method : public Method {
   }
 
   bool uses_map() const override { return options_.map == Ros2Map::Known; }
+  bool is_paced() const override { return is_paced_; }
 
-  /// Starts the nodes, if they are to be launched, and waits until they are there.
-  void connect() {
+  /// Launches the nodes, if they are to be launched.
+  void start() {
     if (!link_) link_ = make_link_();
     if (!options_.launch.empty() && !process_)
       process_ = std::make_unique<ExternalProcess>(options_.launch, environment_);
-    const double until = clock_() + options_.startup_time;
-    for (std::vector<std::string> missing; !(missing = link_->missing()).empty();)
-      wait_for<MethodTimeout>(join(missing, ", no "), until);
-    // Nodes may declare their parameters some time after they have appeared.
-    for (std::size_t i = 0; i < parameters_.size(); ++i)
-      for (std::string missing; !(missing = link_->set_parameter(i, kHealthPeriod)).empty();)
-        wait_for<NodeParameterError>(missing, until);
-    connected_ = true;
-    answered_ = counted_ = false;
+  }
+
+  /// The nodes, if they are to be launched, find a robot that rests in the middle of an empty
+  /// world.
+  void check() override {
+    if (options_.launch.empty()) return;
+    start();
+    if (uses_map()) {
+      constexpr auto kSide = static_cast<std::size_t>(kCheckedMap / kCheckedCell);
+      const std::vector<std::uint8_t> cells(kSide * kSide);
+      link_->send_map({kCheckedCell, {-kCheckedMap / 2, -kCheckedMap / 2}, kSide, kSide, &cells},
+                      last_);
+    }
+    Observation nothing;
+    nothing.scan = &empty_scans_.front();
+    for (const auto& scan : empty_scans_)
+      if (has_lasers_) nothing.lasers.push_back(&scan);
+    try {
+      await_nodes(nothing);
+    } catch (const NodeParameterError& refusal) {
+      throw usage_error(where_("parameter_set"), refusal.what());
+    } catch (const std::runtime_error& failure) {
+      throw usage_error(where_("launch"), failure.what());
+    }
+    if (const std::string excess = excess_of_publishers(); !excess.empty())
+      throw usage_error(where_("publishers"), excess);
   }
 
   void reset(const NavigationTask& task) override {
-    // Nodes that exited between two runs: no run fails.
-    if (process_ && (options_.restart == Ros2Restart::Run || process_->exit_description())) stop();
-    if (!connected_ || !link_->missing().empty()) connect();
-    check_publishers();
+    // Nodes that exited between two runs: no run fails. Those that have served none are as new.
+    const bool is_used = options_.restart == Ros2Restart::Run && served_;
+    if (process_ && (is_used || process_->exit_description())) stop();
+    start();
+    if (uses_map()) link_->send_map(map_of(task), last_);
     figures_ = {{"commands_missing", 0},
                 {"commands_stale", 0},
                 {"commands_late", 0},
+                {"commands_expired", 0},
                 {"commands_limited", 0}};
     period_ = task.control_period;
-    start_ = (last_ / kGrid + 1) * kGrid;
     rested_ = false;
     command_ = {};
     goal_ = goal_pose(task);
+  }
+
+  /// The nodes find the robot at its start, and are there before they are given the goal. Simulated
+  /// time passes at the start pose, at least kRest. In lock-step it passes in whole blocks of
+  /// kRest, until the nodes have answered each observation of the last one: a node that has just
+  /// appeared may have missed the first ones. Nodes that may be silent for a while, or publish at
+  /// their own rate, have answered once.
+  void settle(const Observation& observation) override {
+    await_nodes(observation);
+    check_publishers();
+    served_ = true;
+    start_ = (last_ / kGrid + 1) * kGrid;
+    take_commands();  // of before the goal
     link_->send_goal(goal_, start_);
-    if (uses_map()) link_->send_map(map_of(task), start_);
+    const int block = std::max(1, static_cast<int>(std::ceil(kRest / period_)));
+    const bool each = !is_paced_ && options_.patience == 0;
+    last_command_time_ = clock_();
+    const double until = clock_() + options_.startup_time;
+    double next_goal = clock_() + kGoalPeriod;
+    int answers = 0;
+    const auto is_within_block = [&](int cycle) {
+      return is_paced_ ? cycle < block : cycle == 0 || cycle % block != 0;
+    };
+    for (int cycle = 0; is_within_block(cycle) || answers < (each ? block : 1); ++cycle) {
+      const bool answered = is_paced_ ? is_commanded(observation) : is_answered(observation);
+      answers = answered ? answers + 1 : each ? 0 : answers;
+      start_ += nanoseconds(period_);
+      if (!answered_ && clock_() >= next_goal) {
+        link_->send_goal(goal_, start_);
+        next_goal += kGoalPeriod;
+      }
+      if (!answered_ && clock_() >= until)
+        fail<MethodTimeout>("there is no command on " + command_topic() + " within " +
+                            format_number(options_.startup_time) +
+                            " s of wall-clock time after the goal");
+    }
+    if (!is_paced_ && !counted_) count_commands();
+    take_commands();
+    figures_["commands_stale"] = figures_["commands_late"] = 0;
+    rested_ = true;
+    next_cycle_ = last_command_time_ = clock_();
   }
 
   Command step(const Observation& observation) override {
-    if (!rested_) rest(observation);
+    if (!rested_) settle(observation);
     const RosTime now = start_ + nanoseconds(observation.time);
-    return options_.mode == Ros2Mode::Realtime ? step_in_real_time(observation, now)
-                                               : step_in_lockstep(observation, now);
+    return is_paced_ ? step_in_real_time(observation, now) : step_in_lockstep(observation, now);
   }
 
   std::map<std::string, double> run_figures() const override { return figures_; }
 
  private:
+  /// Waits until all nodes are there and have their parameters. Nodes may read a topic only when
+  /// they have others, and stop to read it while they are configured.
+  void await_nodes(const Observation& resting) {
+    const double until = clock_() + options_.startup_time;
+    while (!connected_ || !link_->missing().empty()) {
+      connected_ = false;
+      for (std::vector<std::string> missing; !(missing = link_->missing()).empty();)
+        wait_for<MethodTimeout>(join(missing, ", no "), until, resting);
+      // Nodes may declare their parameters some time after they have appeared.
+      for (std::size_t i = 0; i < parameters_.size(); ++i)
+        for (std::string missing; !(missing = link_->set_parameter(i, kHealthPeriod)).empty();)
+          wait_for<NodeParameterError>(missing, until, resting);
+      connected_ = true;
+      answered_ = counted_ = false;
+      unanswered_ = 0;
+    }
+  }
+
   /// Waits a little for what is missing at the start.
   template <typename Failure>
-  void wait_for(const std::string& missing, double until) {
+  void wait_for(const std::string& missing, double until, const Observation& resting) {
     check_health();
     if (clock_() >= until)
       fail<Failure>("there is no " + missing + " after " + format_number(options_.startup_time) +
                     " s of wall-clock time");
+    if (clock_() >= next_resting_) rest_while_starting(resting);
     link_->wait(0.01);
   }
 
-  /// Simulated time passes at the start pose in whole blocks of kRest, until the nodes have
-  /// answered each observation of the last one: a node that has just appeared may have missed the
-  /// first ones. Nodes that may be silent for a while, or publish at their own rate, have answered
-  /// once.
-  void rest(const Observation& observation) {
-    const int block = std::max(1, static_cast<int>(std::ceil(kRest / period_)));
-    const bool each = options_.mode == Ros2Mode::Lockstep && options_.patience == 0;
-    last_command_time_ = clock_();
-    const double until = clock_() + options_.startup_time;
-    double next_goal = clock_() + kGoalPeriod;
-    int answers = 0;
-    for (int cycle = 0; cycle == 0 || cycle % block != 0 || answers < (each ? block : 1); ++cycle) {
-      const bool answered = is_answered(observation);
-      answers = answered ? answers + 1 : each ? 0 : answers;
-      start_ += nanoseconds(period_);
-      if (!answered_ && clock_() >= next_goal) {
-        link_->send_goal(goal_, start_);
-        next_goal = clock_() + kGoalPeriod;
-      }
-      if (clock_() >= until)
-        fail<MethodTimeout>("there is no command on " + command_topic() + " within " +
-                            format_number(options_.startup_time) +
-                            " s of wall-clock time after the goal");
-    }
-    if (options_.mode == Ros2Mode::Lockstep && !counted_) count_commands();
-    take_commands();
-    figures_["commands_stale"] = figures_["commands_late"] = 0;
-    rested_ = true;
-    next_cycle_ = last_command_time_ = clock_();
+  /// Publishes what a robot publishes that waits for its nodes.
+  void rest_while_starting(const Observation& observation) {
+    const RosTime step = is_paced_ ? kStartingStep : kStartingStepInLockstep;
+    last_ = (last_ / step + 1) * step;
+    send_data(observation, last_, last_);
+    link_->send_clock(last_);
+    next_resting_ = clock_() + (is_paced_ ? kStartingPeriod : kStartingPeriodInLockstep);
   }
 
   /// A node that publishes more commands than expected would be ahead of the data by one command,
@@ -176,19 +259,49 @@ class Ros2Method : public Method {
     counted_ = true;
   }
 
+  /// Whether the nodes answered an observation of the rest. The wait grows until they answer: they
+  /// may need longer than the least one, or may not be ready.
   bool is_answered(const Observation& observation) {
-    const double end = clock_() + period_;
     take_commands();
     send(observation, start_);
-    const bool paced = options_.mode == Ros2Mode::Realtime;
-    const bool answered = await_commands(answered_ && !paced ? patience() : kShortWait);
-    if (answered_ && !answered) check_silence();
-    answered_ = answered_ || answered;
-    while (paced && clock_() < end) {
-      link_->wait(end - clock_());
-      take_commands();
+    if (answered_) {
+      const bool answered = await_commands(patience());
+      if (!answered) check_silence();
+      return answered;
     }
-    return answered;
+    if (unanswered_++ == 0) first_sent_ = clock_();
+    const double longer = std::ldexp(kShortWait, std::max(0, unanswered_ - kShortWaits));
+    if (!await_commands(std::min({longer, kLongWait, patience()}))) return false;
+    // Nodes need at most this time for an observation, if they were ready from the first one on.
+    drop_commands_until_quiet(
+        std::clamp(1.2 * (clock_() - first_sent_), kSettlingTime, kLongestQuiet));
+    answered_ = true;
+    return true;
+  }
+
+  /// Answers to earlier observations may be on their way.
+  void drop_commands_until_quiet(double seconds) {
+    const double last = clock_() + patience();
+    double end = clock_() + seconds;
+    for (double left; (left = std::min(end, last) - clock_()) > 0;) {
+      check_health();
+      link_->wait(std::min(left, kHealthPeriod));
+      if (take_commands() > 0) end = clock_() + seconds;
+    }
+  }
+
+  /// Whether there was a command since the last period of the rest.
+  bool is_commanded(const Observation& observation) {
+    const double end = clock_() + period_;
+    send(observation, start_);
+    int commands = take_commands();
+    for (double left; (left = end - clock_()) > 0; commands += take_commands()) {
+      check_health();
+      link_->wait(std::min(left, kHealthPeriod));
+    }
+    if (answered_ && commands == 0) check_silence();
+    answered_ = answered_ || commands > 0;
+    return commands > 0;
   }
 
   Command step_in_lockstep(const Observation& observation, RosTime now) {
@@ -215,6 +328,11 @@ class Ros2Method : public Method {
     if (received == 0) {
       figures_["commands_missing"] += 1;
       check_silence();
+      if (options_.command_timeout > 0 &&
+          clock_() - last_command_time_ >= options_.command_timeout) {
+        figures_["commands_expired"] += 1;
+        command_ = {};
+      }
     }
     return limited_command(command_, robot_, figures_["commands_limited"]);
   }
@@ -225,12 +343,7 @@ class Ros2Method : public Method {
   /// the data.
   void send(const Observation& observation, RosTime now) {
     scan_time_ = now - nanoseconds(std::min(scan_latency_, observation.time));
-    link_->send_observation(observation, now, scan_time_);
-    // A node that is looking for work as the data arrive may find a question and miss the data. The
-    // second question is asked when they are there.
-    if (options_.mode == Ros2Mode::Lockstep)
-      for (std::size_t node = 0; node < barrier_.size(); ++node)
-        for (int question = 0; question < 2; ++question) pass_barrier(node);
+    send_data(observation, now, scan_time_);
     const RosTime step =
         options_.clock_step > 0 ? nanoseconds(options_.clock_step) : nanoseconds(period_);
     for (RosTime time = std::max(last_ + step, now - nanoseconds(period_) + step); time < now;
@@ -238,6 +351,25 @@ class Ros2Method : public Method {
       link_->send_clock(time);
     link_->send_clock(now);
     last_ = now;
+  }
+
+  /// Scans are the last, and each topic waits at the barrier: a node that commands in the callback
+  /// of its scan has the pose and the velocity of the same time.
+  void send_data(const Observation& observation, RosTime now, RosTime scan_time) {
+    link_->send_transform(observation, now);
+    pass_barriers();
+    link_->send_odometry(observation, now);
+    pass_barriers();
+    link_->send_scans(observation, scan_time);
+    pass_barriers();
+  }
+
+  /// A node that is looking for work as the data arrive may find a question and miss the data. The
+  /// second question is asked when they are there.
+  void pass_barriers() {
+    if (!connected_) return;
+    for (std::size_t node = 0; node < barrier_.size(); ++node)
+      for (int question = 0; question < 2; ++question) pass_barrier(node);
   }
 
   void pass_barrier(std::size_t node) {
@@ -298,12 +430,17 @@ class Ros2Method : public Method {
                           format_number(options_.deadline) + " s of wall-clock time");
   }
 
+  /// The message about too many nodes that publish commands; "" if there is none.
+  std::string excess_of_publishers() {
+    const std::vector<std::string> nodes = link_->publishers();
+    if (static_cast<int>(nodes.size()) <= options_.publishers) return "";
+    return command_topic() + " has " + std::to_string(nodes.size()) + " publishers (" +
+           join(nodes, ", ") + "), more than publishers = " + std::to_string(options_.publishers);
+  }
+
   void check_publishers() {
-    const int count = link_->publishers();
-    if (count > options_.publishers)
-      fail<MethodError>(
-          command_topic() + " has " + std::to_string(count) +
-          " publishers, more than publishers = " + std::to_string(options_.publishers));
+    if (const std::string excess = excess_of_publishers(); !excess.empty())
+      fail<MethodError>(excess);
   }
 
   void check_health() {
@@ -313,7 +450,7 @@ class Ros2Method : public Method {
     }
     if (!connected_) return;
     check_publishers();
-    if (link_->publishers() == 0) fail<MethodError>("no node publishes " + command_topic());
+    if (link_->publishers().empty()) fail<MethodError>("no node publishes " + command_topic());
   }
 
   template <typename Failure>
@@ -324,9 +461,11 @@ class Ros2Method : public Method {
 
   /// The next run starts new nodes.
   void stop() {
-    connected_ = false;
+    connected_ = served_ = false;
     process_.reset();
-    if (!options_.launch.empty()) link_.reset();
+    if (options_.launch.empty()) return;
+    link_.reset();
+    last_ = 0;  // which is before the first time of all new nodes
   }
 
   Ros2Options options_;
@@ -335,16 +474,23 @@ class Ros2Method : public Method {
   std::optional<ScratchFolder> folder_;  ///< with the file of parameters
   RobotModel robot_;
   double scan_latency_;  ///< s
+  std::vector<mrpt::obs::CObservation2DRangeScan> empty_scans_;
+  bool has_lasers_;
   EnvironmentVariables environment_;
   WallClock clock_;
   MakeLink make_link_;
   std::unique_ptr<RosLink> link_;
   std::unique_ptr<ExternalProcess> process_;  ///< ends before the link
-  RosTime last_;                              ///< of /clock
+  OptionLocation where_;
+  bool is_paced_;
+  RosTime last_;  ///< of /clock
   RosTime start_ = 0, scan_time_ = 0;
   bool connected_ = false, rested_ = false;
-  bool answered_ = false, counted_ = false;                     ///< since these nodes were found
-  double period_ = 0, next_cycle_ = 0, last_command_time_ = 0;  ///< s
+  bool served_ = false;                      ///< a run since the nodes were launched
+  bool answered_ = false, counted_ = false;  ///< since these nodes were found
+  int unanswered_ = 0;                       ///< observations since these nodes were found
+  double first_sent_ = 0;                    ///< s, the first of these
+  double period_ = 0, next_cycle_ = 0, next_resting_ = 0, last_command_time_ = 0;  ///< s
   Command command_;
   mrpt::math::TPose2D goal_;
   std::map<std::string, double> figures_;
@@ -409,9 +555,10 @@ class Ros2MethodInDomain : public Ros2Method {
  public:
   Ros2MethodInDomain(RosDomain domain, const Ros2Options& options, const RobotModel& robot,
                      const SensorModel& sensor, const WallClock& clock,
-                     const RosLinkFactory& make_link)
-      : Ros2Method(options, robot, sensor, domain.id(), clock,
-                   [=, id = domain.id()] { return make_link(options, id, sensor); }),
+                     const RosLinkFactory& make_link, const OptionLocation& where)
+      : Ros2Method(
+            options, robot, sensor, domain.id(), clock,
+            [=, id = domain.id()] { return make_link(options, id, sensor); }, where),
         domain_(std::move(domain)) {}
 
  private:
@@ -441,15 +588,9 @@ MethodFactory make_factory(const Ros2Options& options, const OptionLocation& whe
                         "[laser." + sensor.lasers[0].name + "] has a pose on it",
                         "another frame than base_frame");
     auto method = std::make_unique<Ros2MethodInDomain>(domain_of(options, where), options, robot,
-                                                       sensor, clock, load_runtime(where));
-    if (options.launch.empty()) return method;
-    try {
-      method->connect();
-    } catch (const NodeParameterError& refusal) {
-      throw usage_error(where("parameter_set"), refusal.what());
-    } catch (const std::runtime_error& failure) {
-      throw usage_error(where("launch"), failure.what());
-    }
+                                                       sensor, clock, load_runtime(where), where);
+    // A run that begins with a new process and its threads would end its worker.
+    method->start();
     return method;
   };
 }
@@ -459,8 +600,9 @@ MethodFactory make_factory(const Ros2Options& options, const OptionLocation& whe
 std::unique_ptr<Method> make_ros2_method(const Ros2Options& options, const RobotModel& robot,
                                          const SensorModel& sensor, const WallClock& clock,
                                          const RosLinkFactory& make_link) {
-  return std::make_unique<Ros2Method>(options, robot, sensor, kFirstRosDomain, clock,
-                                      [=] { return make_link(options, kFirstRosDomain, sensor); });
+  return std::make_unique<Ros2Method>(
+      options, robot, sensor, kFirstRosDomain, clock,
+      [=] { return make_link(options, kFirstRosDomain, sensor); }, location_of("ros2_method"));
 }
 
 MethodFactory ros2_method(const Ros2Options& options, const WallClock& clock) {

@@ -15,6 +15,9 @@ void Ros2Options::visit(OptionVisitor& v) {
            Range::between(kFirstRosDomain, kLastRosDomain));
   v.option("rmw", rmw, "RMW_IMPLEMENTATION of the launched nodes; empty: as it is");
   v.option("deadline", deadline, "s", "wall-clock time without a command", Range::positive());
+  v.option("command_timeout", command_timeout, "s",
+           "realtime: wall-clock time without a command after which the robot stops; 0: never",
+           Range::at_least(0));
   v.option("startup_time", startup_time, "s", "wall-clock time until the first command",
            Range::positive());
   v.option("patience", patience, "s",
@@ -30,7 +33,7 @@ void Ros2Options::visit(OptionVisitor& v) {
       "restart", restart,
       "end the launched nodes and launch them again: after a failure only, or before each run");
   v.option("map", map, "publish the map of static obstacles");
-  v.option("publishers", publishers, "-", "publishers of commands, at most",
+  v.option("publishers", publishers, "-", "nodes that publish commands, at most",
            Range::between(1, 100));
   v.option("namespace", name_space, "namespace of names that do not begin with '/'");
   v.option("command", command, "topic of commands, Twist or TwistStamped");

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <dds/dds.h>
 #include <fstream>
+#include <type_traits>
 #include <utility>
 
 namespace {
@@ -29,14 +30,19 @@ class Peer {
   Peer(int argc, char** argv)
       : node_(argc, argv, [this](const NavigatingNode::Answer& answer) { publish(answer); }) {
     const char* domain = std::getenv("ROS_DOMAIN_ID");
-    const auto id = static_cast<dds_domainid_t>(domain == nullptr ? 0 : std::atoi(domain));
-    dds_create_domain(id, kLocalHost);
-    participant_ = dds_create_participant(id, nullptr, nullptr);
+    domain_ = static_cast<dds_domainid_t>(domain == nullptr ? 0 : std::atoi(domain));
+    dds_create_domain(domain_, kLocalHost);
+    participant_ = dds_create_participant(domain_, nullptr, nullptr);
     waitset_ = dds_create_waitset(participant_);
     clock_ = reader("rt/clock", rosgraph_msgs_msg_dds__Clock__desc, false);
     goal_ = reader("rt/goal_pose", geometry_msgs_msg_dds__PoseStamped__desc, true);
     odometry_ = reader("rt/odom", nav_msgs_msg_dds__Odometry__desc, true);
-    scan_ = reader("rt/scan", sensor_msgs_msg_dds__LaserScan__desc, false);
+    read_scans();
+    if (node_.fault() == "humble") {
+      // A costmap reads scans while it is configured, and again when it has the robot's pose.
+      dds_delete(std::exchange(scan_, 0));
+      pose_ = reader("rt/tf", tf2_msgs_msg_dds__TFMessage__desc, true);
+    }
     if (const char* path = std::getenv("TRANSFORMS_FILE")) {
       transforms_path_ = path;
       transforms_ = reader("rt/tf_static", tf2_msgs_msg_dds__TFMessage__desc, true, true);
@@ -51,6 +57,18 @@ class Peer {
                                         ? geometry_msgs_msg_dds__PoseStamped__desc
                                     : node_.stamped() ? geometry_msgs_msg_dds__TwistStamped__desc
                                                       : geometry_msgs_msg_dds__Twist__desc);
+    if (node_.fault() == "humble") {
+      // The velocity smoother, and a server of behaviors with a publisher each.
+      std::vector<dds_entity_t> behaviors(5);
+      for (dds_entity_t& one : behaviors)
+        one = writer("rt/cmd_vel", geometry_msgs_msg_dds__Twist__desc);
+      announce<slalom_ros2_ParticipantOfHumble>(
+          slalom_ros2_ParticipantOfHumble_desc, "",
+          {{"velocity_smoother", {command_}}, {"behavior_server", behaviors}});
+    } else if (node_.fault() == "jazzy") {
+      announce<slalom_ros2_Participant>(slalom_ros2_Participant_desc, "typehash=RIHS01_0;",
+                                        {{"collision_monitor", {command_}}});
+    }
   }
 
   void spin() {
@@ -61,16 +79,16 @@ class Peer {
           clock_, [this](const auto& m) { node_.on_clock(nanoseconds(m.clock)); });
       take<geometry_msgs_msg_dds__PoseStamped_>(
           goal_, [this](const auto& m) { node_.on_goal(m.pose.position.y); });
+      if (node_.uses_odometry()) take_scans();
       take<nav_msgs_msg_dds__Odometry_>(
           odometry_, [this](const auto& m) { node_.on_odometry(m.twist.twist.linear.x); });
+      if (pose_ > 0)
+        take<tf2_msgs_msg_dds__TFMessage_>(pose_, [this](const auto&) {
+          if (scan_ == 0) read_scans();
+        });
       if (transforms_ > 0)
         take<tf2_msgs_msg_dds__TFMessage_>(transforms_, [this](const auto& m) { keep(m); });
-      take<sensor_msgs_msg_dds__LaserScan_>(scan_, [this](const auto& m) {
-        const float* first = m.ranges._buffer;
-        node_.on_scan(nanoseconds(m.header.stamp), {first, first + m.ranges._length}, m.angle_min,
-                      m.angle_increment);
-        if (node_.fault() == "two" && node_.has_fault_now() && second_ == 0) publish_twice();
-      });
+      take_scans();
       take_one<slalom_ros2_CycloneNames>(types_.question, [this](const auto& m) {
         if (node_.fault() == "deaf" && node_.has_fault_now()) return;
         if (loses(types_)) return;
@@ -90,6 +108,57 @@ class Peer {
   }
 
  private:
+  void read_scans() { scan_ = reader("rt/scan", sensor_msgs_msg_dds__LaserScan__desc, false); }
+
+  void take_scans() {
+    if (scan_ == 0) return;
+    take<sensor_msgs_msg_dds__LaserScan_>(scan_, [this](const auto& m) {
+      const float* first = m.ranges._buffer;
+      node_.on_scan(nanoseconds(m.header.stamp), {first, first + m.ranges._length}, m.angle_min,
+                    m.angle_increment);
+      if (node_.fault() == "two" && node_.has_fault_now() && second_ == 0) publish_twice();
+    });
+  }
+
+  /// Announces the nodes and their publishers of commands, as rmw does.
+  template <typename Participant>
+  void announce(dds_topic_descriptor_t type, const std::string& user_data,
+                const std::vector<std::pair<std::string, std::vector<dds_entity_t>>>& named) const {
+    using Node = std::remove_pointer_t<decltype(Participant::nodes._buffer)>;
+    using Identifier = std::remove_pointer_t<decltype(Node::writers._buffer)>;
+    type.m_typename = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+    dds_qos_t* qos = dds_create_qos();
+    dds_qset_durability(qos, DDS_DURABILITY_TRANSIENT_LOCAL);
+    dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
+    if (!user_data.empty()) dds_qset_userdata(qos, user_data.data(), user_data.size());
+    const auto out =
+        dds_create_writer(participant_, topic("ros_discovery_info", type), qos, nullptr);
+    dds_delete_qos(qos);
+    std::vector<std::vector<Identifier>> identifiers;
+    std::vector<Node> nodes;
+    for (const auto& [name, writers] : named) {
+      identifiers.emplace_back();
+      for (const dds_entity_t writer : writers) {
+        dds_guid_t guid;
+        dds_get_guid(writer, &guid);
+        identifiers.back().emplace_back();
+        std::memcpy(identifiers.back().back().data, guid.v, sizeof guid.v);
+      }
+    }
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      nodes.emplace_back();
+      nodes.back().name_space = const_cast<char*>("/");
+      nodes.back().name = const_cast<char*>(named[i].first.c_str());
+      nodes.back().writers._buffer = identifiers[i].data();
+      nodes.back().writers._length = nodes.back().writers._maximum =
+          static_cast<std::uint32_t>(identifiers[i].size());
+    }
+    Participant message{};
+    message.nodes._buffer = nodes.data();
+    message.nodes._length = message.nodes._maximum = static_cast<std::uint32_t>(nodes.size());
+    dds_write(out, &message);
+  }
+
   struct Service {
     dds_entity_t question = 0, reply = 0;
     bool has_lost = false;
@@ -190,12 +259,15 @@ class Peer {
     }
   }
 
-  /// Returns when the simulator has found the second publisher.
+  /// Returns when the simulator has found the second publisher, in another participant.
   void publish_twice() {
+    const dds_entity_t own = participant_;
+    participant_ = dds_create_participant(domain_, nullptr, nullptr);
     second_ = writer("rt/cmd_vel", geometry_msgs_msg_dds__Twist__desc);
     const geometry_msgs_msg_dds__Twist_ twist{};
     dds_write(second_, &twist);
     dds_wait_for_acks(second_, DDS_INFINITY);
+    participant_ = own;
   }
 
   /// Whether there was one. Questions are taken one in a turn, as in rclcpp: data that are there
@@ -235,7 +307,8 @@ class Peer {
   NavigatingNode node_;
   std::int64_t last_question_ = 0;
   std::string transforms_path_;
-  dds_entity_t transforms_ = 0;
+  dds_domainid_t domain_ = 0;
+  dds_entity_t transforms_ = 0, pose_ = 0;
   dds_entity_t participant_ = 0, waitset_ = 0, clock_ = 0, goal_ = 0, odometry_ = 0, scan_ = 0;
   dds_entity_t command_ = 0, second_ = 0;
   Service types_, values_, setting_;

@@ -3,18 +3,21 @@
 
 #include "steering.h"
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace slalom {
 
-/// The node of a test, without its middleware: PEER [--stamped] [--timer] [FAULT]. It commands by
-/// steer() for each scan, or from a timer of 0.1 s of simulated time, as soon as it has a goal.
+/// The node of a test, without its middleware: PEER [--stamped] [--timer] [--odometry] [FAULT]. It
+/// commands by steer() for each scan, or from a timer of 0.1 s of simulated time, as soon as it has
+/// a goal; with --odometry it also turns with the newest velocity, and handles scans before it.
 ///
 /// The fault occurs on the way to goals with y > 3, from the fifth scan on since the robot moves.
 class NavigatingNode {
@@ -33,6 +36,8 @@ class NavigatingNode {
         stamped_ = true;
       else if (argument == "--timer")
         timer_ = true;
+      else if (argument == "--odometry")
+        uses_odometry_ = true;
       else
         fault_ = argument;
     }
@@ -48,6 +53,7 @@ class NavigatingNode {
   }
 
   bool stamped() const { return stamped_; }
+  bool uses_odometry() const { return uses_odometry_; }
   /// The fault, for those that concern the middleware.
   const std::string& fault() const { return fault_; }
   bool has_fault_now() const { return faulty_run_ && scans_ >= 5; }
@@ -58,7 +64,10 @@ class NavigatingNode {
     has_goal_ = true;
   }
 
-  void on_odometry(double v) { moves_ = v > 0; }
+  void on_odometry(double v) {
+    moves_ = v > 0;
+    measured_v_ = v;
+  }
 
   void on_scan(std::int64_t stamp, const std::vector<float>& ranges, float angle_min,
                float angle_increment) {
@@ -75,6 +84,8 @@ class NavigatingNode {
     if (timer_ && due) answer();
   }
 
+  static constexpr double kTurn = 0.1;  // rad/m
+
  private:
   static constexpr std::int64_t kPeriod = 100'000'000;  // ns
 
@@ -82,6 +93,8 @@ class NavigatingNode {
     if (!has_goal_ || latest_.stamp == 0) return;
     Answer answer = latest_;
     answer.velocity.v *= speed_;
+    if (uses_odometry_) answer.velocity.w += kTurn * measured_v_;
+    if (fault_ == "thinks") std::this_thread::sleep_for(std::chrono::milliseconds(30));
     if (has_fault_now()) {
       if (fault_ == "silent") return;
       if (fault_ == "exit") std::exit(3);
@@ -98,9 +111,10 @@ class NavigatingNode {
 
   std::function<void(const Answer&)> publish_;
   std::string fault_;
-  bool stamped_ = false, timer_ = false, has_goal_ = false, faulty_run_ = false, moves_ = false;
+  bool stamped_ = false, timer_ = false, uses_odometry_ = false, has_goal_ = false,
+       faulty_run_ = false, moves_ = false;
   int scans_ = 0;
-  double speed_ = 1;
+  double speed_ = 1, measured_v_ = 0;
   Answer latest_;
   std::int64_t previous_stamp_ = 0, now_ = 0;
 };

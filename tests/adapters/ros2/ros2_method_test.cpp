@@ -16,14 +16,15 @@ constexpr RosTime kSecond = 1'000'000'000;
 
 /// The network, its nodes and the wall clock.
 struct Network {
-  std::vector<std::string> sent;      // "data", "barrier NODE", "clock", "goal", "map"
+  std::vector<std::string> sent;      // "transform", "scans", "barrier NODE", "clock", "goal", ...
   std::vector<RosTime> clocks, data;  // stamps
   std::deque<RosCommand> commands;    // on their way to the simulator
-  std::function<void(RosTime now)> on_clock = [](RosTime) {};
+  std::function<void(RosTime now)> on_clock = [](RosTime) {}, on_scan = on_clock;
+  std::function<void()> on_wait = [] {}, on_parameter = on_wait;
   std::vector<std::string> missing;
   std::string missing_parameter;
-  mrpt::math::TPose2D goal;
-  int publishers = 1;
+  mrpt::math::TPose2D goal, pose;
+  std::vector<std::string> publishers = {"/a"};
   bool deaf = false;  // the nodes do not reply to barriers
   double time = 0;    // s
   int links = 0;
@@ -37,9 +38,10 @@ class FakeLink : public RosLink {
  public:
   explicit FakeLink(Network& network) : network_(network) { ++network.links; }
   std::vector<std::string> missing() override { return network_.missing; }
-  int publishers() override { return network_.publishers; }
+  std::vector<std::string> publishers() override { return network_.publishers; }
   std::string set_parameter(std::size_t parameter, double) override {
     network_.sent.push_back("parameter " + std::to_string(parameter));
+    network_.on_parameter();
     return network_.missing_parameter;
   }
   void send_goal(const mrpt::math::TPose2D& goal, RosTime) override {
@@ -47,9 +49,15 @@ class FakeLink : public RosLink {
     network_.goal = goal;
   }
   void send_map(const KnownMap&, RosTime) override { network_.sent.push_back("map"); }
-  void send_observation(const Observation&, RosTime now, RosTime) override {
-    network_.sent.push_back("data");
-    network_.data.push_back(now);
+  void send_transform(const Observation& observation, RosTime) override {
+    network_.sent.push_back("transform");
+    network_.pose = observation.odometry;
+  }
+  void send_odometry(const Observation&, RosTime) override { network_.sent.push_back("odometry"); }
+  void send_scans(const Observation&, RosTime scan_time) override {
+    network_.sent.push_back("scans");
+    network_.data.push_back(scan_time);
+    network_.on_scan(scan_time);
   }
   void send_clock(RosTime now) override {
     network_.sent.push_back("clock");
@@ -67,7 +75,10 @@ class FakeLink : public RosLink {
     network_.commands.pop_front();
     return command;
   }
-  void wait(double seconds) override { network_.time += seconds; }
+  void wait(double seconds) override {
+    network_.time += seconds;
+    network_.on_wait();
+  }
 
  private:
   Network& network_;
@@ -95,6 +106,12 @@ class Ros2MethodTest : public testing::Test {
     method_->reset(task_);
     cycle_ = 0;
   }
+  void settle() {
+    Observation start;
+    start.odometry = task_.start;
+    start.scan = &scan_;
+    method_->settle(start);
+  }
   Command step() {
     Observation observation;
     observation.time = 0.1 * cycle_++;
@@ -112,18 +129,19 @@ class Ros2MethodTest : public testing::Test {
   int cycle_ = 0;
 };
 
-TEST_F(Ros2MethodTest, ACycleSendsTheDataThenAsksEachNodeTwiceThenAdvancesTheClock) {
-  options_.barrier = "planner, /controller, planner";
+TEST_F(Ros2MethodTest, ACycleAsksEachNodeTwiceAfterEachTopicThenAdvancesTheClock) {
+  options_.barrier = "planner, /controller";
   begin();
   step();
   network_.sent.clear();
   step();
   EXPECT_EQ(network_.sent,
-            (std::vector<std::string>{"data", "barrier 0", "barrier 0", "barrier 1", "barrier 1",
-                                      "barrier 2", "barrier 2", "clock"}));
+            (std::vector<std::string>{"transform", "barrier 0", "barrier 0", "barrier 1",
+                                      "barrier 1", "odometry", "barrier 0", "barrier 0",
+                                      "barrier 1", "barrier 1", "scans", "barrier 0", "barrier 0",
+                                      "barrier 1", "barrier 1", "clock"}));
   options_.name_space = "robot";
-  EXPECT_EQ(barrier_nodes(options_),
-            (std::vector<std::string>{"/robot/planner", "/controller", "/robot/planner"}));
+  EXPECT_EQ(barrier_nodes(options_), (std::vector<std::string>{"/robot/planner", "/controller"}));
 }
 
 TEST_F(Ros2MethodTest, AGoalWithoutAHeadingHasTheDirectionFromTheStart) {
@@ -144,9 +162,10 @@ TEST_F(Ros2MethodTest, TheGoalAndTheMapAreSentBeforeTheRobotRestsForASecond) {
   const KnownMap map = {0.05, {0, 0}, 2, 2, &cells};
   task_.map = &map;
   begin();
-  EXPECT_EQ(network_.sent, (std::vector<std::string>{"goal", "map"}));
+  EXPECT_EQ(network_.sent, (std::vector<std::string>{"map"}));
   EXPECT_TRUE(method_->uses_map());
   step();
+  EXPECT_EQ(network_.sent[1], "goal");
   EXPECT_EQ(network_.data.size(), 11U);  // ten of the rest, and the first of the run
   EXPECT_EQ(network_.data.back() - network_.data.front(), kSecond);
 }
@@ -189,6 +208,211 @@ TEST_F(Ros2MethodTest, NodesThatNeverCommandEndTheRunAfterTheStartupTime) {
   // Nodes that were starting have read it at some time.
   const auto goals = std::count(network_.sent.begin(), network_.sent.end(), "goal");
   EXPECT_NEAR(static_cast<double>(goals), options_.startup_time, 2);
+}
+
+TEST_F(Ros2MethodTest, NodesThatAreMissingFindARobotThatRestsAtTheStart) {
+  task_.start = {3, 2, 0.5};
+  network_.missing = {"reader of /scan"};
+  options_.map = Ros2Map::Known;
+  const std::vector<std::uint8_t> cells(4);
+  const KnownMap map = {0.05, {0, 0}, 2, 2, &cells};
+  task_.map = &map;
+  std::size_t scans_when_heard = 0;
+  network_.on_wait = [&] {  // it reads scans as soon as it has a transform
+    if (network_.pose == task_.start && scans_when_heard == 0) {
+      network_.missing.clear();
+      scans_when_heard = network_.data.size();
+    }
+  };
+  begin();
+  settle();
+  network_.sent.resize(6);
+  EXPECT_EQ(network_.sent,
+            (std::vector<std::string>{"map", "transform", "odometry", "scans", "clock", "goal"}));
+  EXPECT_EQ(step().v, 0.5);
+}
+
+TEST_F(Ros2MethodTest, ACheckShowsNodesARobotInAnEmptyWorld) {
+  options_.launch = "exec sleep 1000";
+  options_.map = Ros2Map::Known;
+  network_.missing = {"reader of /scan"};
+  network_.on_scan = [&](RosTime) { network_.missing.clear(); };
+  make();
+  method_->check();
+  EXPECT_EQ(network_.sent,
+            (std::vector<std::string>{"map", "transform", "odometry", "scans", "clock"}));
+  EXPECT_EQ(network_.pose, mrpt::math::TPose2D());
+  network_.publishers = {"/a", "/b"};
+  make();
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "ros2_method.publishers",
+                           {"/cmd_vel has 2 publishers (/a, /b)"}, [&] { method_->check(); }));
+  network_.missing = {"publisher of /cmd_vel"};
+  network_.on_scan = [](RosTime) {};
+  make();
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "ros2_method.launch", {"no publisher of /cmd_vel"},
+                           [&] { method_->check(); }));
+}
+
+TEST_F(Ros2MethodTest, ReadersThatComeAndGoAreWaitedFor) {
+  options_.parameter_set = "a.speed=1";
+  int looks = 0;
+  network_.missing = {"reader of /scan"};
+  network_.on_wait = [&] { network_.missing = {}; };
+  network_.on_parameter = [&] {  // it is configured again by a parameter
+    if (++looks == 1) network_.missing = {"reader of /scan"};
+  };
+  begin();
+  settle();
+  EXPECT_TRUE(network_.missing.empty());
+  EXPECT_EQ(looks, 2);
+}
+
+TEST_F(Ros2MethodTest, SimulatedTimePassesWithoutJumpsWhileNodesStart) {
+  options_.startup_time = 20;
+  options_.launch = "exec sleep 1000";
+  for (const Ros2Mode mode : {Ros2Mode::Lockstep, Ros2Mode::Realtime}) {
+    options_.mode = mode;
+    make();
+    network_.clocks.clear();
+    network_.missing = {"reader of /scan"};
+    begin();
+    EXPECT_THROW(settle(), MethodTimeout);
+    const std::vector<RosTime>& clocks = network_.clocks;
+    ASSERT_GT(clocks.size(), 50U);
+    EXPECT_LE(clocks.front(), kSecond);
+    for (std::size_t i = 1; i < clocks.size(); ++i) {
+      EXPECT_GT(clocks[i], clocks[i - 1]);
+      EXPECT_LE(clocks[i] - clocks[i - 1], kSecond);
+      if (mode == Ros2Mode::Lockstep) {
+        EXPECT_EQ(clocks[i] % kSecond, 0) << "timers keep their phase";
+      }
+    }
+    if (mode == Ros2Mode::Realtime) {
+      EXPECT_NEAR(static_cast<double>(clocks.back()), 20e9, 4e9) << "as the wall clock";
+    }
+  }
+}
+
+TEST_F(Ros2MethodTest, ANodeThatNeedsLongerThanTheFirstWaitsIsReadyWithoutLateCommands) {
+  for (const double computing : {0.03, 0.1, 0.4}) {
+    SCOPED_TRACE(computing);
+    std::deque<RosTime> scans;  // of the node
+    double free_at = 0;
+    network_.on_clock = [&](RosTime now) {
+      if (scans.empty()) free_at = network_.time + computing;
+      scans.push_back(now);
+    };
+    network_.on_wait = [&] {
+      for (; !scans.empty() && network_.time >= free_at - 1e-9; free_at += computing) {
+        network_.answer(0.5, scans.front());
+        scans.pop_front();
+      }
+    };
+    make();
+    begin();
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(step().v, 0.5);
+    for (const auto& [id, count] : method_->run_figures()) EXPECT_EQ(count, 0) << id;
+  }
+}
+
+TEST_F(Ros2MethodTest, InRealTimeAnyCommandSinceTheGoalEndsTheRest) {
+  options_.mode = Ros2Mode::Realtime;
+  task_.control_period = 0.05;
+  for (const double phase : {0.001, 0.019, 0.021, 0.03, 0.049}) {
+    SCOPED_TRACE(phase);
+    double next = network_.time + phase;  // of a node at 20 Hz with its own clock
+    network_.on_clock = [](RosTime) {};
+    network_.on_wait = [&] {
+      for (; network_.time >= next; next += 0.05) network_.answer(0.5);
+    };
+    make();
+    const double before = network_.time;
+    begin();
+    step();
+    EXPECT_LE(network_.time - before, 1.2);
+    EXPECT_EQ(figure("commands_missing"), 0);
+  }
+}
+
+TEST_F(Ros2MethodTest, NodesThatFallSilentBetweenRunsEndTheNextOneAtTheDeadline) {
+  for (const Ros2Mode mode : {Ros2Mode::Lockstep, Ros2Mode::Realtime}) {
+    options_.mode = mode;
+    make();
+    begin();
+    step();
+    const auto answer = std::exchange(network_.on_clock, [](RosTime) {});
+    begin();
+    const double before = network_.time;
+    EXPECT_THROW(settle(), MethodTimeout);
+    EXPECT_NEAR(network_.time - before, options_.deadline, 0.2);
+    network_.on_clock = answer;
+  }
+}
+
+TEST_F(Ros2MethodTest, TheRestIsNoPartOfTheFirstCycle) {
+  options_.mode = Ros2Mode::Realtime;
+  begin();
+  settle();
+  const double before = network_.time;
+  step();
+  EXPECT_NEAR(network_.time - before, task_.control_period, 1e-9);
+  EXPECT_TRUE(method_->is_paced());
+}
+
+TEST_F(Ros2MethodTest, InRealTimeTheRobotStopsWithoutCommandsUntilThereIsOne) {
+  options_.mode = Ros2Mode::Realtime;
+  begin();
+  step();
+  network_.on_clock = [](RosTime) {};
+  std::vector<double> speeds;
+  for (int i = 0; i < 8; ++i) speeds.push_back(step().v);
+  EXPECT_EQ(speeds, (std::vector<double>{0.5, 0.5, 0.5, 0.5, 0, 0, 0, 0}));  // 0.5 s of 0.1 s
+  EXPECT_EQ(figure("commands_expired"), 4);
+  EXPECT_EQ(figure("commands_missing"), 8);
+  network_.on_clock = [this](RosTime now) { network_.answer(0.3, now); };
+  EXPECT_EQ(step().v, 0.3);
+  options_.command_timeout = 0;  // never
+  make();
+  begin();
+  step();
+  network_.on_clock = [](RosTime) {};
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(step().v, 0.3);
+}
+
+TEST_F(Ros2MethodTest, NodesThatServedNoRunAreNotLaunchedAgain) {
+  options_.launch = "exec sleep 1000";
+  options_.restart = Ros2Restart::Run;
+  make();
+  for (const int expected : {1, 2, 3}) {
+    begin();
+    step();
+    EXPECT_EQ(network_.links, expected);
+  }
+}
+
+TEST_F(Ros2MethodTest, TimeBeginsAnewForNewNodes) {
+  options_.launch = "exec sleep 1000";
+  options_.restart = Ros2Restart::Run;
+  std::vector<RosTime> first;
+  for (int run = 0; run < 3; ++run) {
+    network_.clocks.clear();
+    begin();
+    step();
+    if (run == 0) first = network_.clocks;
+    EXPECT_EQ(network_.clocks, first);
+  }
+}
+
+TEST_F(Ros2MethodTest, TheMessageAboutPublishersNamesTheirNodes) {
+  network_.publishers = {"/smoother", "/behaviors"};
+  try {
+    begin();
+    settle();
+    FAIL();
+  } catch (const MethodError& error) {
+    EXPECT_TRUE(mentions(error.what(),
+                         {"/cmd_vel has 2 publishers (/smoother, /behaviors)", "publishers = 1"}));
+  }
 }
 
 TEST_F(Ros2MethodTest, ACommandFromAnOlderScanIsCountedAsStale) {
@@ -306,11 +530,12 @@ TEST_F(Ros2MethodTest, VelocitiesBeyondTheLimitsBecomeTheNearestOnes) {
 TEST_F(Ros2MethodTest, ASecondPublisherOfCommandsEndsTheRun) {
   begin();
   step();
-  network_.publishers = 2;
+  network_.publishers = {"/a", "/b"};
   network_.on_clock = [](RosTime) {};
   EXPECT_THROW(step(), MethodError);
-  EXPECT_THROW(begin(), MethodError);
-  network_.publishers = 1;
+  begin();
+  EXPECT_THROW(step(), MethodError);
+  network_.publishers = {"/a"};
   network_.on_clock = [this](RosTime) { network_.answer(0.5); };
   begin();
   EXPECT_EQ(step().v, 0.5);
@@ -319,7 +544,7 @@ TEST_F(Ros2MethodTest, ASecondPublisherOfCommandsEndsTheRun) {
 TEST_F(Ros2MethodTest, NodesThatAreGoneEndTheRunAtOnce) {
   begin();
   step();
-  network_.publishers = 0;
+  network_.publishers = {};
   network_.on_clock = [](RosTime) {};
   const double before = network_.time;
   EXPECT_THROW(step(), MethodError);
@@ -346,11 +571,14 @@ TEST_F(Ros2MethodTest, InRealTimeTheLatestCommandOfThePeriodCounts) {
 TEST_F(Ros2MethodTest, ParametersAreSetWhenTheNodesAreThereAndWaitedForUntilTheStartupTime) {
   options_.parameter_set = "a.speed=1; a.FollowPath.gain=2";
   begin();
+  settle();
+  network_.sent.resize(3);
   EXPECT_EQ(network_.sent, (std::vector<std::string>{"parameter 0", "parameter 1", "goal"}));
   method_.reset();
   network_.missing_parameter = "parameter speed of the node /a";
   try {
     begin();
+    settle();
     FAIL();
   } catch (const NodeParameterError& error) {
     EXPECT_TRUE(mentions(error.what(), {"no parameter speed of the node /a after 30 s"}));

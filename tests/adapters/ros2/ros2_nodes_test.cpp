@@ -2,6 +2,7 @@
 // Nodes over DDS, in a private network with a second interface where permitted.
 #include "error_text.h"
 #include "hurrying_clock.h"
+#include "navigating_node.h"
 #include "private_network.h"
 #include "steering.h"
 #include "temporary_folder.h"
@@ -20,9 +21,10 @@
 namespace slalom {
 namespace {
 
-/// The law of the nodes, in this process.
+/// The law of the nodes, in this process; `turn` (rad/m) is that of the measured velocity.
 class SteeringMethod : public Method {
  public:
+  explicit SteeringMethod(double turn = 0) : turn_(turn) {}
   void reset(const NavigationTask&) override {}
   Command step(const Observation& observation) override {
     const auto& scan = observation.lasers.empty() ? *observation.scan : *observation.lasers[0];
@@ -30,8 +32,11 @@ class SteeringMethod : public Method {
     const double aperture = SensorModel().aperture();
     const Steering steering = steer(&scan.getScanRange(0), rays, static_cast<float>(-aperture / 2),
                                     static_cast<float>(aperture / static_cast<double>(rays - 1)));
-    return {steering.v, steering.w};
+    return {steering.v, steering.w + turn_ * observation.v};
   }
+
+ private:
+  double turn_;
 };
 
 class Ros2NodesTest : public testing::Test {
@@ -75,17 +80,24 @@ class Ros2NodesTest : public testing::Test {
   }
 
   static SimulationResult run(Method& method, const World& world = columns(),
-                              const SensorModel& sensor = {}) {
+                              const SensorModel& sensor = {}, double max_time = 12) {
     RunSetup setup;
     setup.sensor = sensor;
-    setup.simulation.max_time = 12;
+    setup.simulation.max_time = max_time;
     return simulate(world, setup, 1, method);
   }
-  static std::string expected_hash() {
-    SteeringMethod local;
+  static std::string expected_hash(double turn = 0) {
+    SteeringMethod local(turn);
     const SimulationResult result = run(local);
     EXPECT_GT(result.trajectory.samples.size(), 50U) << result.detail;
     return result.trajectory.hash();
+  }
+
+  /// A run of a second, whose cycles follow the wall clock.
+  static void expect_second_in_real_time(Method& method) {
+    const SimulationResult result = run(method, columns(), {}, 1);
+    EXPECT_EQ(result.outcome, Outcome::Timeout) << result.detail;
+    EXPECT_TRUE(result.cycle_seconds.empty());
   }
 
   /// Two runs have the hash of the law in this process, and all commands are of their cycle.
@@ -119,6 +131,34 @@ TEST_F(Ros2NodesTest, BehindTheBarrierATimerNeverCommandsFromAnOlderScan) {
       cycles += result.trajectory.samples.size();
     }
   }
+}
+
+TEST_F(Ros2NodesTest, BehindTheBarrierANodeHasTheOdometryOfItsScan) {
+  const auto method = launch(CYCLONE_PEER " --odometry", "barrier = method\n");
+  const std::string expected = expected_hash(NavigatingNode::kTurn);
+  EXPECT_NE(expected, expected_hash());
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(run(*method).trajectory.hash(), expected);
+}
+
+TEST_F(Ros2NodesTest, NodesOfNav2sLayoutsStartAndAreCountedByTheirNames) {
+  const std::string keys = "restart = run\npublishers = 2\n";
+  for (const std::string layout : {"humble", "jazzy"}) {
+    SCOPED_TRACE(layout);
+    expect_equal_runs(*launch(CYCLONE_PEER " " + layout, keys));
+    expect_second_in_real_time(*launch(CYCLONE_PEER " " + layout, keys + "mode = realtime\n"));
+  }
+  const auto humble = launch(CYCLONE_PEER " humble");
+  EXPECT_TRUE(mentions(run(*humble).detail,
+                       {"/cmd_vel has 2 publishers (/behavior_server, /velocity_smoother), more "
+                        "than publishers = 1"}));
+  expect_equal_runs(*launch(CYCLONE_PEER " jazzy"));
+}
+
+TEST_F(Ros2NodesTest, ANodeThatThinksForHalfACycleIsHeardInEveryMode) {
+  const auto method = launch(CYCLONE_PEER " --stamped thinks");
+  EXPECT_EQ(run(*method).trajectory.hash(), expected_hash());
+  for (const auto& [id, count] : method->run_figures()) EXPECT_EQ(count, 0) << id;
+  expect_second_in_real_time(*launch(CYCLONE_PEER " thinks", "mode = realtime\n"));
 }
 
 TEST_F(Ros2NodesTest, ANodeThatIsNamedTwiceIsAskedTwice) {
@@ -221,6 +261,21 @@ TEST_F(Ros2NodesTest, TheLastOfSeveralCommandsForAScanCountsIfTheirNumberIsKnown
                {"further commands on /cmd_vel followed an observation", "commands_per_cycle = 1"}));
 }
 
+TEST_F(Ros2NodesTest, NodesStayOnThisMachineByTheVariableOfTheirDistribution) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "environment";
+  const auto environment = [&](const char* distribution) {
+    setenv("ROS_DISTRO", distribution, 1);
+    make("launch = env | grep -E 'ROS_(AUTO|LOCAL)' | sort > " + file + "; exec " CYCLONE_PEER "\n")
+        ->check();
+    unsetenv("ROS_DISTRO");
+    return read_file(file);
+  };
+  const std::string range = "ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST\n";
+  EXPECT_EQ(environment("humble"), range + "ROS_LOCALHOST_ONLY=1\n");
+  for (const char* one : {"iron", "jazzy", "kilted", "rolling"}) EXPECT_EQ(environment(one), range);
+}
+
 TEST_F(Ros2NodesTest, ParametersAreSetInTheirTypesAndHaveEffect) {
   const TemporaryFolder folder;
   const std::string file = folder / "parameters.yaml";
@@ -229,6 +284,7 @@ TEST_F(Ros2NodesTest, ParametersAreSetInTheirTypesAndHaveEffect) {
                            "\n"
                            "parameter_set = method.speed=0; method.count=7; method.on=true; "
                            "method.label=a b\n");
+  method->check();
   EXPECT_EQ(read_file(file),
             "/method:\n  ros__parameters:\n    speed: 0\n    count: 7\n    on: true\n"
             "    label: 'a b'\n");
@@ -245,7 +301,7 @@ TEST_F(Ros2NodesTest, ParametersOfNodesOnFastDdsAreSet) {
   EXPECT_EQ(result.outcome, Outcome::Stuck) << result.detail;
   EXPECT_TRUE(throws_error(
       ErrorKind::Usage, "my.ini:", {"parameter_set", "/method refuses speed = 3: it is beyond 1"},
-      [] { launch(FAST_PEER, "parameter_set = method.speed=3\n"); }));
+      [] { launch(FAST_PEER, "parameter_set = method.speed=3\n")->check(); }));
 }
 
 TEST_F(Ros2NodesTest, AQuestionWhoseFirstReplyIsLostOrLateIsAskedAgain) {
@@ -264,7 +320,7 @@ TEST_F(Ros2NodesTest, AParameterThatANodeDoesNotTakeIsAnErrorWithItsReason) {
                                  arguments + "\nstartup_time = " + (set == "sped=1" ? "10" : "60") +
                                  "\nparameter_set = method." + set + "\n",
                              "my.ini");
-      read_ros2_method(ini, "method.a")(RobotModel(), SensorModel());
+      read_ros2_method(ini, "method.a")(RobotModel(), SensorModel())->check();
     });
   };
   EXPECT_TRUE(refused("speed=3", {"the node /method refuses speed = 3: it is beyond 1"}));
@@ -281,7 +337,7 @@ TEST_F(Ros2NodesTest, WhatIsMissingAtTheStartIsNamed) {
   const auto refused = [&](const std::string& keys, std::initializer_list<std::string> words) {
     return throws_error(ErrorKind::Usage, "my.ini:3: [method.a] launch", words, [&] {
       const IniFile ini = IniFile::from_text("[method.a]\nadapter = ros2\n" + keys, "my.ini");
-      read_ros2_method(ini, "method.a")(RobotModel(), sensor);
+      read_ros2_method(ini, "method.a")(RobotModel(), sensor)->check();
     });
   };
   EXPECT_TRUE(refused("launch = exec sleep 100\nstartup_time = 0.3\n",

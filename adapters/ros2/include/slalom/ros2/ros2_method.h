@@ -40,16 +40,17 @@ struct Ros2Options {
   std::string barrier;
   /// Parameters of nodes, "NODE.NAME=VALUE; ...", set and read back before the first run.
   std::string parameter_set;
-  int domain = 42;             ///< DDS domain; with `launch` the first one of the workers
-  std::string rmw;             ///< RMW_IMPLEMENTATION of the launched nodes; empty: unchanged
-  double deadline = 10;        ///< wall-clock time without a command, s
-  double startup_time = 30;    ///< wall-clock time until the first command, s
-  double patience = 0;         ///< lockstep: wall-clock time for a command, s; 0: the deadline
+  int domain = 42;               ///< DDS domain; with `launch` the first one of the workers
+  std::string rmw;               ///< RMW_IMPLEMENTATION of the launched nodes; empty: unchanged
+  double deadline = 10;          ///< wall-clock time without a command, s
+  double command_timeout = 0.5;  ///< realtime: without a command the robot stops after, s; 0: never
+  double startup_time = 30;      ///< wall-clock time until the first command, s
+  double patience = 0;           ///< lockstep: wall-clock time for a command, s; 0: the deadline
   int commands_per_cycle = 1;  ///< lockstep: commands for an observation, of which the last counts
   double clock_step = 0;       ///< simulated time between clock messages, s; 0: a control period
   Ros2Restart restart = Ros2Restart::Never;
   Ros2Map map = Ros2Map::None;
-  int publishers = 1;  ///< of commands, at most
+  int publishers = 1;  ///< nodes that publish commands, at most
 
   std::string name_space;  ///< of topics and nodes whose names do not begin with '/'
   std::string command = "cmd_vel", scan = "scan", odometry = "odom", goal = "goal_pose";
@@ -69,15 +70,16 @@ struct Ros2Options {
 /// repeatable. In real time step() returns the latest command at the end of its control period of
 /// the wall clock.
 ///
-/// Before each run the robot stands at its start for at least 1 s of simulated time, until the
-/// nodes have answered each observation of a second. Simulated time never goes back while the
-/// method lives. Velocities beyond the robot's limits become the nearest ones within them, as on a
-/// real base.
+/// settle() gives nodes that start the data of a robot that rests, then the goal; the robot stands
+/// at its start for at least 1 s of simulated time, until the nodes have answered each observation
+/// of a second, or in real time once. For nodes that run simulated time never goes back. In real
+/// time the robot stops after command_timeout without a command. Velocities beyond the robot's
+/// limits become the nearest ones within them, as on a real base.
 ///
 /// reset() and step() throw MethodTimeout when no command arrives in time, and MethodError when the
 /// process exits, the publishers of the commands are not as expected, or a node refuses a
-/// parameter. The factory throws Error (Usage) when the launched nodes do not appear within the
-/// startup time, or refuse a parameter.
+/// parameter. check() throws Error (Usage) when the launched nodes do not appear within the startup
+/// time, or refuse a parameter.
 MethodFactory ros2_method(const Ros2Options& options, const WallClock& clock = steady_seconds);
 
 /// The same with options from an .ini; a MethodReader.
