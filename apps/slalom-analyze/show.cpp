@@ -44,6 +44,8 @@ std::string timing_text(const RunTiming& timing) {
   for (const auto& [id, value] : timing.values) {
     text += line("  " + id, format_value(Value::of(value), timing_info(id).unit));
   }
+  if (timing.values.count("cycle_time_mean") == 0)
+    text += line("  cycle_time", "NA (no cycle, or the method follows the wall clock)");
   return text;
 }
 

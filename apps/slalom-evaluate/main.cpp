@@ -72,6 +72,30 @@ void store_descriptors(const CampaignOptions& options, const std::string& result
   });
 }
 
+/// The run to look at if the processes of a method were silent or failed: the first such run in
+/// which they printed an error, else the first one. "" if there is none.
+std::string printed_errors(const std::string& results_path, const ResultTable& runs,
+                           const std::string& method) {
+  const ValueColumn* missing = find_metric(runs, "commands_missing");
+  if (missing == nullptr) return "";
+  const ResultFile file = ResultFile::open(results_path);
+  std::string text;
+  for (std::size_t row = 0; row < runs.size(); ++row) {
+    if (runs.methods[runs.method[row]] != method) continue;
+    const std::string& outcome = runs.outcomes[runs.outcome[row]];
+    const double silent = missing->number(row);  // not a number of a method without processes
+    if (!(silent > 0) && !(silent == 0 && is_method_failure(outcome))) continue;
+    const auto run = file.read_run(runs.scenario_hashes[runs.scenario[row]],
+                                   unmarked_name(runs, method), runs.repetition[row]);
+    const std::string error = run ? last_error_printed(file.read_timing(*run).output) : "";
+    if (!text.empty() && error.empty()) continue;
+    text = method + ": what it printed: slalom-analyze show " + results_path + " --run " +
+           run_id(runs, row);
+    if (!error.empty()) return text + "; its last error: " + error;
+  }
+  return text;
+}
+
 /// Writes the tables to standard output and to files, and the report to a folder.
 void write_tables_and_report(const Arguments& arguments, const std::string& results_path,
                              bool with_report) {
@@ -90,6 +114,9 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
   for (const std::string& method : runs.methods)
     for (const auto& line_of : {untimely_commands, limited_commands})
       if (const std::string line = line_of(runs, method); !line.empty()) std::cerr << line << "\n";
+  for (const std::string& method : runs.methods)
+    if (const std::string line = printed_errors(results_path, runs, method); !line.empty())
+      std::cerr << line << "\n";
   if (!with_report) return;
   const std::string report = arguments.output + "/report";
   write_report(results_path, std::move(runs), options, report);

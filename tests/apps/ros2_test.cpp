@@ -89,6 +89,29 @@ TEST_F(Ros2ProgramTest, ParametersOfNodesAreTuned) {
   EXPECT_EQ(running_nodes(), 0);
 }
 
+TEST_F(Ros2ProgramTest, ACertificateIsOfTheParametersThatNodesAreGiven) {
+  write("node.ini",
+        "[campaign]\nmethods = node\n[scenarios]\ngenerator = passage\n"
+        "[simulation]\nstuck_time = 1\n" +
+            section("node", "", "parameter_set = method.speed=0\n"));
+  const ProgramResult result = run(
+      "slalom-certify risk node.ini --quiet --method node --outcome failure --budget 40 -o a.json");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("stuck  40"), std::string::npos) << result.out;
+}
+
+TEST_F(Ros2ProgramTest, TheCampaignOfNav2RunsWithBothOfItsLayouts) {
+  for (const std::string layout : {"humble", "jazzy"}) {
+    const ProgramResult result = run(
+        "slalom-evaluate " SLALOM_CONFIGS "/nav2.ini -o " + layout +
+        " -j 1 --set scenarios.count=2 --set simulation.max_time=1 --set record.repeated_runs=0 "
+        "--set 'method.nav2.launch=exec " CYCLONE_PEER " " +
+        layout + "'");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.out.find("nav2*      2        2\n"), std::string::npos) << result.out;
+  }
+}
+
 TEST_F(Ros2ProgramTest, ACampaignGoesOnAfterNodesThatAreKilled) {
   write_campaign("node", section("node", "killed"));
   const auto all = runs("2");
@@ -112,6 +135,37 @@ TEST_F(Ros2ProgramTest, StaleCommandsAreShownWithTheCampaignInTablesAndWithTheir
   const ProgramResult shown = run("slalom-analyze show out1/runs.results --run random_0000/node/0");
   for (const char* const id : {"commands_stale", "commands_missing", "commands_late"})
     EXPECT_NE(shown.out.find(id), std::string::npos) << shown.out;
+}
+
+TEST_F(Ros2ProgramTest, NodesAreLaunchedOnceForTheCheckAndOnceForEachRunOnRequest) {
+  write_campaign("node",
+                 "[record]\nrepeated_runs = 0\n[method.node]\nadapter = ros2\n"
+                 "launch = echo launched >> $COUNTED; exec " CYCLONE_PEER
+                 "\nrestart = run\ndeadline = 100\nstartup_time = 100\n");
+  const ProgramResult result =
+      run("COUNTED=$PWD/launches slalom-evaluate small.ini --quiet -o out -j 1");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(read("launches"), "launched\nlaunched\nlaunched\nlaunched\nlaunched\n");
+}
+
+TEST_F(Ros2ProgramTest, TheLastErrorThatNodesPrintedIsNamedWithItsRun) {
+  write_campaign("node",
+                 "[method.node]\nadapter = ros2\nlaunch = echo '[ERROR] [1.0] [planner]: no "
+                 "path'; exec " CYCLONE_PEER " pauses\npatience = 0.02\nrestart = run\n");
+  const std::string err = run("slalom-evaluate small.ini -o out -j 1 --set record.repeated_runs=0 "
+                              "--set simulation.max_time=10")
+                              .err;
+  EXPECT_NE(err.find("node: what it printed: slalom-analyze show out/runs.results --run "),
+            std::string::npos)
+      << err;
+  EXPECT_NE(err.find("; its last error: [ERROR] [1.0] [planner]: no path\n"), std::string::npos)
+      << err;
+  write_campaign("node",
+                 "[method.node]\nadapter = ros2\nstartup_time = 2\n"
+                 "launch = echo '[FATAL] [1.0] [server]: no plugin'; exec sleep 100\n");
+  expect_failure("slalom-evaluate small.ini -o other", 2,
+                 {"there is no reader of /scan",
+                  "the last error that it printed: [FATAL] [1.0] [server]: no plugin"});
 }
 
 TEST_F(Ros2ProgramTest, ProgramsDoNotLoadDdsWithoutSuchAMethod) {

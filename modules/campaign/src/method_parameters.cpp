@@ -3,6 +3,7 @@
 #include <slalom/campaign/method_pool.h>
 #include <slalom/core/byte_stream.h>
 #include <slalom/core/error.h>
+#include <slalom/results/untimely_commands.h>
 #include <slalom/workers/worker_pool.h>
 
 #include <cmath>
@@ -58,10 +59,12 @@ std::vector<TunableParameter> tunable_parameters(const NamedMethod& method,
     }
   };
   const auto receive = [&](std::size_t, WorkResult&& result) {
+    const std::string printed = error_printed_clause(result.output);
     if (result.status != WorkResult::Status::Done)
-      throw usage_error(method.where, "the method could not be built: " + result.detail);
+      throw usage_error(method.where, "the method could not be built: " + result.detail + printed);
     ByteReader reader(result.payload, method.where);
-    if (reader.u8() != kMade) throw Error(ErrorKind::Usage, reader.text());  // a complete message
+    if (reader.u8() != kMade)
+      throw Error(ErrorKind::Usage, reader.text() + printed);  // a complete message
     parameters = read(reader, method.where);
   };
   run_in_workers(1, pool_of_runs(options, 1), item, receive, nullptr);

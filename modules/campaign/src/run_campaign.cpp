@@ -10,6 +10,7 @@
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
 #include <slalom/results/lack_of_time.h>
+#include <slalom/results/untimely_commands.h>
 #include <slalom/workers/worker_pool.h>
 
 #include <algorithm>
@@ -232,17 +233,20 @@ PrivilegedMethods check_methods(const Campaign& campaign) {
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) -> std::string {
     try {
       const auto made = methods[i].make(campaign.options.robot, campaign.options.sensor);
+      made->check();
       return {kMade, made->uses_tracks() ? '1' : '0', made->uses_map() ? '1' : '0'};
     } catch (const std::exception& e) {
       return reason_of(e);
     }
   };
   const auto receive = [&](std::size_t i, WorkResult&& result) {
+    const std::string printed = error_printed_clause(result.output);
     if (result.status != WorkResult::Status::Done)
-      throw usage_error(methods[i].where, "the method could not be built: " + result.detail);
+      throw usage_error(methods[i].where,
+                        "the method could not be built: " + result.detail + printed);
     const std::string& answer = result.payload;
     const bool made = answer.size() == 3 && answer[0] == kMade;
-    if (!made) throw Error(ErrorKind::Usage, answer);  // a complete message
+    if (!made) throw Error(ErrorKind::Usage, answer + printed);  // a complete message
     privileged.add(methods[i].name, answer[1] == '1', answer[2] == '1');
   };
   PoolOptions pool = pool_of_runs(campaign.options, 1);

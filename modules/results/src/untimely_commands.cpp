@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/output_marks.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/results/untimely_commands.h>
 
@@ -43,10 +45,28 @@ std::string runs_text(const Counts& counts) {
 }  // namespace
 
 std::string untimely_commands(const ResultTable& table, const std::string& method) {
-  const Counts counts = count(table, method, {"missing", "stale", "late"});
+  const Counts counts = count(table, method, {"missing", "stale", "late", "expired"});
   if (counts.of_kinds.empty()) return "";
   return method + ": commands were " + join(counts.of_kinds, " or ") + runs_text(counts) +
          ", which depend on the speed of the machine";
+}
+
+std::string last_error_printed(const std::string& output) {
+  std::string last;
+  bool is_ending = false;
+  for (const std::string& line : split(output, '\n')) {
+    if (line + "\n" == kEndingOutput) is_ending = true;
+    if (line + "\n" == kEndedOutput) is_ending = false;
+    if (is_ending) continue;
+    if (line.find("ERROR") != std::string::npos || line.find("FATAL") != std::string::npos)
+      last = line;
+  }
+  return printable_line(last);
+}
+
+std::string error_printed_clause(const std::string& output) {
+  const std::string error = last_error_printed(output);
+  return error.empty() ? "" : "; the last error that it printed: " + error;
 }
 
 std::string limited_commands(const ResultTable& table, const std::string& method) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/output_marks.h>
 #include <slalom/results/table_builder.h>
 #include <slalom/results/untimely_commands.h>
 
@@ -37,6 +38,19 @@ TEST(UntimelyCommands, AreAddedOverTheRunsOfTheirMethod) {
   EXPECT_EQ(limited_commands(table, "node"), "");
   EXPECT_EQ(limited_commands(table, "net"),
             "net: 35 commands in 2 of 3 runs beyond the robot's limits, which changed them");
+}
+
+TEST(UntimelyCommands, TheLastErrorThatWasPrintedIsALineOfALogOfRos) {
+  EXPECT_EQ(last_error_printed("[INFO] [1.0] [planner]: ready\n[ERROR] [2.0] [planner]: no path\n"
+                               "[FATAL] [3.0] [bt]: \x1b[31mend\n[WARN] [4.0] [bt]: slow\n"),
+            "[FATAL] [3.0] [bt]: \\x1b[31mend");
+  EXPECT_EQ(last_error_printed("all is well\n"), "");
+  const std::string end =
+      std::string(kEndingOutput) + "[ERROR] context is invalid\n" + kEndedOutput;
+  EXPECT_EQ(last_error_printed("[ERROR] no path\n" + end + "[INFO] again\n"), "[ERROR] no path");
+  EXPECT_EQ(last_error_printed(end + "[ERROR] later\n"), "[ERROR] later");
+  EXPECT_EQ(last_error_printed(end), "");
+  EXPECT_EQ(last_error_printed(""), "");
 }
 
 }  // namespace
