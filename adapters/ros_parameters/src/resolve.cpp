@@ -508,6 +508,16 @@ void replace_value(const RosParameterReport::Edit& edit, std::string& line) {
   line.replace(column, edit.old_text.size(), edit.new_text);
 }
 
+/// A note for readers of a file of Nav2 about the method that takes its parameters.
+std::string note_on_counterpart(const std::string& section, const std::string& source) {
+  const auto is_of = [&](const char* package) { return source.find(package) != std::string::npos; };
+  if (!starts_with(section, "method.")) return "";
+  const bool has_critics = is_of("(dwb_core::") || is_of("(nav2_mppi_controller::");
+  if (!has_critics && !is_of("(nav2_")) return "";
+  return std::string("; its ") + (has_critics ? "critics are" : "code is") +
+         " not Nav2's: for your controller itself use adapter = ros2";
+}
+
 }  // namespace
 
 void RosParameterSource::visit(OptionVisitor& v) {
@@ -523,6 +533,7 @@ std::string RosParameterReport::summary() const {
   if (!overridden.empty()) text += ", " + std::to_string(overridden.size()) + " overridden";
   if (!without_counterpart.empty())
     text += ", " + std::to_string(without_counterpart.size()) + " without counterpart";
+  text += note_on_counterpart(section, source);
   if (!repeated.empty()) text += "; given twice: " + join(repeated, ", ");
   if (unknown.empty()) return printable_line(text);
   constexpr std::size_t kShown = 3;
