@@ -43,6 +43,17 @@ bundle_python() {
   printf '%s\n' "libpython$version-stdlib" "libpython$version-minimal" python3-numpy
 }
 
+# The C header of methods below STAGE/include and the CMake package with it, without the libraries of Slalom.
+bundle_method_interface() {
+  local stage=$1 all
+  all=$(mktemp -d)
+  cmake --install build/release --prefix "$all" --component development >/dev/null
+  (cd "$all" && find . -path ./include/slalom/methods/slalom_method.h -o -path '*/cmake/slalom/slalomConfig*.cmake' \
+    -o -path '*/cmake/slalom/slalomTargets.cmake' -o -path '*/cmake/slalom/SlalomMethod.cmake') |
+    tar -C "$all" -T - -c | tar -C "$stage" -x
+  rm -rf "$all"
+}
+
 # Installs the programs and the Python package in the empty folder STAGE with all libraries that they need. Left to the
 # system are glibc, and the libraries of GCC, which drivers of graphics of newer systems need in their own version.
 bundle_stage() {
@@ -51,6 +62,7 @@ bundle_stage() {
   for component in programs python; do
     cmake --install build/release --prefix "$stage" --component $component --strip >/dev/null
   done
+  bundle_method_interface "$stage"
   mkdir -p "$bundled" "$licenses"
   rm -f "$stage"/lib*/slalom/runtime/libopencv_imgcodecs.so* # of the name of a library that is bundled
   bundle_python "$stage" >"$stage/packages"
