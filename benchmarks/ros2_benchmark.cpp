@@ -29,6 +29,7 @@ void step(benchmark::State& state, const std::string& arguments, const std::stri
   task.control_period = 0.1;
   const auto method = ros2_method(options)(RobotModel(), SensorModel());
   method->reset(task);
+  method->settle(observation);
   for (auto _ : state) {
     benchmark::DoNotOptimize(method->step(observation));
     observation.time += task.control_period;

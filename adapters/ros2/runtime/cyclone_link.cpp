@@ -12,24 +12,51 @@
 #include <chrono>
 #include <cstring>
 #include <dds/dds.h>
+#include <ifaddrs.h>
 #include <limits>
 #include <map>
+#include <net/if.h>
 #include <set>
 
 namespace slalom {
 namespace {
 
-/// The settings of rmw_cyclonedds with ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST. The interface is
-/// chosen by Cyclone: participants that are bound to the loopback device are not found by nodes
-/// that also use others.
-constexpr char kLocalHost[] =
-    "<CycloneDDS><Domain Id=\"any\"><General><AllowMulticast>false</AllowMulticast></General>"
-    "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
-    "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
-    "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>"
-    // Data of a run that has ended need not be acknowledged.
-    "<Internal><WriterLingerDuration>0 s</WriterLingerDuration></Internal>"
-    "</Domain></CycloneDDS>";
+/// Whether the machine has another network interface than the loopback device.
+bool has_other_interface() {
+  ifaddrs* first = nullptr;
+  if (getifaddrs(&first) != 0) return false;
+  bool found = false;
+  for (const ifaddrs* one = first; one != nullptr; one = one->ifa_next)
+    found = found || (one->ifa_addr != nullptr && one->ifa_addr->sa_family == AF_INET &&
+                      (one->ifa_flags & IFF_UP) != 0 && (one->ifa_flags & IFF_LOOPBACK) == 0);
+  freeifaddrs(first);
+  return found;
+}
+
+/// The settings of rmw_cyclonedds with ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, which nodes since
+/// Iron have: the interface is chosen by Cyclone. Those of Humble are bound to the loopback device
+/// (ROS_LOCALHOST_ONLY), which is therefore the second one; they wait for the next announcement, or
+/// for one at the port of multicast.
+std::string local_host(int domain) {
+  const std::string interfaces = has_other_interface()
+                                     ? "<Interfaces><NetworkInterface autodetermine=\"true\"/>"
+                                       "<NetworkInterface address=\"127.0.0.1\"/></Interfaces>"
+                                     : "";
+  constexpr int kFirstPort = 7400, kPortsOfDomain = 250;
+  const std::string port = std::to_string(kFirstPort + kPortsOfDomain * domain);
+  return "<CycloneDDS><Domain Id=\"any\"><General><AllowMulticast>false</AllowMulticast>" +
+         interfaces +
+         "</General><Discovery><SPDPInterval>200 ms</SPDPInterval>"
+         // Nodes take the first free indices, and may not see that one is taken.
+         "<ParticipantIndex>31</ParticipantIndex>"
+         "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+         "<Peers><Peer address=\"127.0.0.1\"/><Peer address=\"127.0.0.1:" +
+         port +
+         "\"/></Peers></Discovery>"
+         // Data of a run that has ended need not be acknowledged.
+         "<Internal><WriterLingerDuration>0 s</WriterLingerDuration></Internal>"
+         "</Domain></CycloneDDS>";
+}
 
 constexpr int kDepth = 10;
 constexpr double kMapTime = 10;  // s, wall-clock time until all readers have the map
@@ -228,6 +255,7 @@ class NodeNames {
 
   template <typename Message>
   void keep(const Message& message) {
+    if (names_.size() > kMaxNames) names_.clear();
     for (std::uint32_t i = 0; i < message.nodes._length; ++i) {
       const auto& node = message.nodes._buffer[i];
       const std::string space = node.name_space;
@@ -238,6 +266,7 @@ class NodeNames {
   }
 
   static constexpr std::size_t kIdentifier = 16;  // bytes
+  static constexpr std::size_t kMaxNames = 10'000;
   dds_entity_t participant_;
   Entity reader_, old_reader_;
   std::map<std::string, std::string> names_;  ///< by publisher
@@ -549,7 +578,8 @@ class CycloneLink : public RosLink {
         parameters_(node_parameters(options)),
         command_topic_(topic(options.command)),
         lasers_(sensor.all_lasers()),
-        domain_("domain", dds_create_domain(static_cast<dds_domainid_t>(domain), kLocalHost)),
+        domain_("domain",
+                dds_create_domain(static_cast<dds_domainid_t>(domain), local_host(domain).c_str())),
         participant_("participant",
                      dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr)),
         waitset_("waitset", dds_create_waitset(participant_)),
@@ -572,6 +602,7 @@ class CycloneLink : public RosLink {
 
   std::vector<std::string> missing() override {
     publications_.update();
+    node_names_.update(publications_);
     follow_command_type();
     std::vector<std::string> missing;
     for (std::size_t i = 0; i < lasers_.size(); ++i) {
@@ -598,20 +629,22 @@ class CycloneLink : public RosLink {
     return node_parameters_.at(one.node).apply(one, seconds);
   }
 
-  /// Nodes of one participant without names are counted as one.
+  /// Nodes of one participant that are not announced are counted as one.
   std::vector<std::string> publishers() override {
     publications_.update();
     node_names_.update(publications_);
-    std::set<std::string> names, unnamed;
+    std::map<std::string, std::set<std::string>> names;  // by participant
     for (const Publication& one : publications_.on(command_topic_)) {
-      const std::string name = node_names_.node_of(one);
-      if (name.empty())
-        unnamed.insert(one.participant);
-      else
-        names.insert(name);
+      std::set<std::string>& of_participant = names[one.participant];
+      if (const std::string name = node_names_.node_of(one); !name.empty())
+        of_participant.insert(name);
     }
-    std::vector<std::string> nodes(names.begin(), names.end());
-    nodes.insert(nodes.end(), unnamed.size(), "a node without a name");
+    std::vector<std::string> nodes;
+    for (const auto& [participant, of_participant] : names) {
+      if (of_participant.empty()) nodes.emplace_back("a node without a name");
+      nodes.insert(nodes.end(), of_participant.begin(), of_participant.end());
+    }
+    std::sort(nodes.begin(), nodes.end());
     return nodes;
   }
 
@@ -638,6 +671,9 @@ class CycloneLink : public RosLink {
     message.data._buffer = cells.data();
     message.data._length = message.data._maximum = static_cast<std::uint32_t>(cells.size());
     write(map_, message);
+  }
+
+  void await_map() override {
     dds_wait_for_acks(map_, static_cast<dds_duration_t>(kMapTime * 1e9));
   }
 

@@ -51,8 +51,9 @@ class RosLink {
 
   /// Poses in the frame of odometry, which is also that of the map.
   virtual void send_goal(const mrpt::math::TPose2D& goal, RosTime stamp) = 0;
-  /// Returns when the readers have the map.
   virtual void send_map(const KnownMap& map, RosTime stamp) = 0;
+  /// Returns when the readers that are there have the map.
+  virtual void await_map() = 0;
   virtual void send_transform(const Observation& observation, RosTime now) = 0;
   virtual void send_odometry(const Observation& observation, RosTime now) = 0;
   virtual void send_scans(const Observation& observation, RosTime scan_time) = 0;

@@ -4,6 +4,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
+#include <slalom/core/output_marks.h>
 #include <slalom/core/scratch_folder.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
@@ -35,7 +37,9 @@ constexpr double kSettlingTime = 0.02;  // s, for commands beyond those that are
 /// The waits for a command of nodes that may not be ready, s: so many short ones, then longer ones.
 constexpr double kShortWait = 0.02, kLongWait = 0.64;
 constexpr int kShortWaits = 10;
-constexpr double kLongestQuiet = 1.28;  // s, until earlier commands of nodes count as received
+/// The least and longest time without commands until earlier ones count as received, s.
+constexpr double kShortQuiet = 0.06, kLongQuiet = 2.5;
+constexpr double kNamingTime = 1;       // s, until the nodes of publishers are announced
 constexpr double kHealthPeriod = 0.05;  // s, between two looks at the process
 constexpr double kClockPeriod = 1;      // s, of wall-clock time, until /clock is sent again
 
@@ -137,8 +141,9 @@ class Ros2Method : public Method {
     } catch (const std::runtime_error& failure) {
       throw usage_error(where_("launch"), failure.what());
     }
-    if (const std::string excess = excess_of_publishers(); !excess.empty())
-      throw usage_error(where_("publishers"), excess);
+    const double until = clock_() + kNamingTime;
+    for (std::string excess; !(excess = excess_of_publishers()).empty(); link_->wait(0.01))
+      if (clock_() >= until) throw usage_error(where_("publishers"), excess);
   }
 
   void reset(const NavigationTask& task) override {
@@ -165,6 +170,7 @@ class Ros2Method : public Method {
   /// their own rate, have answered once.
   void settle(const Observation& observation) override {
     await_nodes(observation);
+    if (uses_map()) link_->await_map();
     check_publishers();
     served_ = true;
     start_ = (last_ / kGrid + 1) * kGrid;
@@ -176,12 +182,17 @@ class Ros2Method : public Method {
     const double until = clock_() + options_.startup_time;
     double next_goal = clock_() + kGoalPeriod;
     int answers = 0;
+    double answered_at = clock_();
+    longest_answer_ = 0;
     const auto is_within_block = [&](int cycle) {
       return is_paced_ ? cycle < block : cycle == 0 || cycle % block != 0;
     };
     for (int cycle = 0; is_within_block(cycle) || answers < (each ? block : 1); ++cycle) {
-      const bool answered = is_paced_ ? is_commanded(observation) : is_answered(observation);
+      // A node that is configured may read scans for a moment only.
+      const bool answered = (is_paced_ ? is_commanded(observation) : is_answered(observation)) &&
+                            link_->missing().empty();
       answers = answered ? answers + 1 : each ? 0 : answers;
+      if (answered) answered_at = clock_();
       start_ += nanoseconds(period_);
       if (!answered_ && clock_() >= next_goal) {
         link_->send_goal(goal_, start_);
@@ -191,6 +202,11 @@ class Ros2Method : public Method {
         fail<MethodTimeout>("there is no command on " + command_topic() + " within " +
                             format_number(options_.startup_time) +
                             " s of wall-clock time after the goal");
+      const double longest = std::max(options_.startup_time, options_.deadline);
+      if (clock_() - answered_at >= longest)
+        fail<MethodTimeout>("the nodes do not answer an observation with " +
+                            std::to_string(options_.commands_per_cycle) + " on " + command_topic() +
+                            " within " + format_number(longest) + " s of wall-clock time");
     }
     if (!is_paced_ && !counted_) count_commands();
     take_commands();
@@ -234,6 +250,7 @@ class Ros2Method : public Method {
       fail<Failure>("there is no " + missing + " after " + format_number(options_.startup_time) +
                     " s of wall-clock time");
     if (clock_() >= next_resting_) rest_while_starting(resting);
+    take_commands();  // an unread one would end each wait
     link_->wait(0.01);
   }
 
@@ -249,7 +266,7 @@ class Ros2Method : public Method {
   /// A node that publishes more commands than expected would be ahead of the data by one command,
   /// and then by another.
   void count_commands() {
-    const double until = clock_() + kSettlingTime;
+    const double until = clock_() + std::max(kSettlingTime, 1.5 * longest_answer_);
     int more = take_commands();
     for (double left; (left = until - clock_()) > 0; more += take_commands()) link_->wait(left);
     if (more > 0)
@@ -264,17 +281,19 @@ class Ros2Method : public Method {
   bool is_answered(const Observation& observation) {
     take_commands();
     send(observation, start_);
+    const double sent = clock_();
     if (answered_) {
       const bool answered = await_commands(patience());
+      longest_answer_ = std::max(longest_answer_, clock_() - sent);
       if (!answered) check_silence();
       return answered;
     }
-    if (unanswered_++ == 0) first_sent_ = clock_();
+    if (unanswered_++ == 0) first_sent_ = sent;
     const double longer = std::ldexp(kShortWait, std::max(0, unanswered_ - kShortWaits));
     if (!await_commands(std::min({longer, kLongWait, patience()}))) return false;
-    // Nodes need at most this time for an observation, if they were ready from the first one on.
-    drop_commands_until_quiet(
-        std::clamp(1.2 * (clock_() - first_sent_), kSettlingTime, kLongestQuiet));
+    // Nodes need at most this time for an observation, if they were ready from the first one on;
+    // that for the next one may be longer.
+    drop_commands_until_quiet(std::clamp(3 * (clock_() - first_sent_), kShortQuiet, kLongQuiet));
     answered_ = true;
     return true;
   }
@@ -462,7 +481,12 @@ class Ros2Method : public Method {
   /// The next run starts new nodes.
   void stop() {
     connected_ = served_ = false;
-    process_.reset();
+    if (process_) {
+      // Errors of nodes that end are not the reason of anything.
+      std::fputs(kEndingOutput, stderr);
+      process_.reset();
+      std::fputs(kEndedOutput, stderr);
+    }
     if (options_.launch.empty()) return;
     link_.reset();
     last_ = 0;  // which is before the first time of all new nodes
@@ -489,6 +513,7 @@ class Ros2Method : public Method {
   bool served_ = false;                      ///< a run since the nodes were launched
   bool answered_ = false, counted_ = false;  ///< since these nodes were found
   int unanswered_ = 0;                       ///< observations since these nodes were found
+  double longest_answer_ = 0;                ///< s, in this rest
   double first_sent_ = 0;                    ///< s, the first of these
   double period_ = 0, next_cycle_ = 0, next_resting_ = 0, last_command_time_ = 0;  ///< s
   Command command_;

@@ -18,7 +18,8 @@ void Ros2Options::visit(OptionVisitor& v) {
   v.option("command_timeout", command_timeout, "s",
            "realtime: wall-clock time without a command after which the robot stops; 0: never",
            Range::at_least(0));
-  v.option("startup_time", startup_time, "s", "wall-clock time until the first command",
+  v.option("startup_time", startup_time, "s",
+           "wall-clock time until the nodes are there, and then until the first command",
            Range::positive());
   v.option("patience", patience, "s",
            "lockstep: wall-clock time for a command, then the last one is kept; 0: the deadline",

@@ -15,11 +15,17 @@ namespace {
 
 using slalom::NavigatingNode;
 
+/// The settings by ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST of Iron and later.
 constexpr char kLocalHost[] =
     "<CycloneDDS><Domain Id=\"any\"><General><AllowMulticast>false</AllowMulticast></General>"
     "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
     "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
     "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery></Domain></CycloneDDS>";
+
+/// The settings by ROS_LOCALHOST_ONLY=1 of Humble.
+constexpr char kLoopback[] =
+    "<CycloneDDS><Domain Id=\"any\"><General><Interfaces>"
+    "<NetworkInterface address=\"127.0.0.1\"/></Interfaces></General></Domain></CycloneDDS>";
 
 std::int64_t nanoseconds(const builtin_interfaces_msg_dds__Time_& time) {
   return time.sec * std::int64_t{1'000'000'000} + static_cast<std::int64_t>(time.nanosec);
@@ -31,7 +37,7 @@ class Peer {
       : node_(argc, argv, [this](const NavigatingNode::Answer& answer) { publish(answer); }) {
     const char* domain = std::getenv("ROS_DOMAIN_ID");
     domain_ = static_cast<dds_domainid_t>(domain == nullptr ? 0 : std::atoi(domain));
-    dds_create_domain(domain_, kLocalHost);
+    dds_create_domain(domain_, node_.fault() == "humble" ? kLoopback : kLocalHost);
     participant_ = dds_create_participant(domain_, nullptr, nullptr);
     waitset_ = dds_create_waitset(participant_);
     clock_ = reader("rt/clock", rosgraph_msgs_msg_dds__Clock__desc, false);

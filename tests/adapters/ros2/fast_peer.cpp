@@ -222,15 +222,18 @@ class Peer {
   }
 
  private:
-  /// Found by unicast on this machine, as with ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST.
-  static dds::DomainParticipant* make_participant() {
+  /// Found by unicast on this machine, as with ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST; of Humble
+  /// bound to the loopback device, as with ROS_LOCALHOST_ONLY=1.
+  dds::DomainParticipant* make_participant() const {
     const char* domain = std::getenv("ROS_DOMAIN_ID");
     const int id = domain == nullptr ? 0 : std::atoi(domain);
     dds::DomainParticipantQos qos;
     qos.transport().use_builtin_transports = false;
-    qos.transport().user_transports.push_back(
-        std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>());
-    for (int index = 0; index < 10; ++index) {
+    const auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+    const bool is_bound = node_.fault() == "humble";
+    if (is_bound) transport->interfaceWhiteList.emplace_back("127.0.0.1");
+    qos.transport().user_transports.push_back(transport);
+    for (int index = 0; index < 10 && !is_bound; ++index) {
       eprosima::fastrtps::rtps::Locator_t locator;
       eprosima::fastrtps::rtps::IPLocator::setIPv4(locator, 127, 0, 0, 1);
       locator.port = static_cast<std::uint32_t>(7410 + 250 * id + 2 * index);

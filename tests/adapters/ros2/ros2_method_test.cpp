@@ -49,6 +49,7 @@ class FakeLink : public RosLink {
     network_.goal = goal;
   }
   void send_map(const KnownMap&, RosTime) override { network_.sent.push_back("map"); }
+  void await_map() override { network_.sent.push_back("map is there"); }
   void send_transform(const Observation& observation, RosTime) override {
     network_.sent.push_back("transform");
     network_.pose = observation.odometry;
@@ -165,7 +166,8 @@ TEST_F(Ros2MethodTest, TheGoalAndTheMapAreSentBeforeTheRobotRestsForASecond) {
   EXPECT_EQ(network_.sent, (std::vector<std::string>{"map"}));
   EXPECT_TRUE(method_->uses_map());
   step();
-  EXPECT_EQ(network_.sent[1], "goal");
+  EXPECT_EQ(network_.sent[1], "map is there");
+  EXPECT_EQ(network_.sent[2], "goal");
   EXPECT_EQ(network_.data.size(), 11U);  // ten of the rest, and the first of the run
   EXPECT_EQ(network_.data.back() - network_.data.front(), kSecond);
 }
@@ -226,9 +228,9 @@ TEST_F(Ros2MethodTest, NodesThatAreMissingFindARobotThatRestsAtTheStart) {
   };
   begin();
   settle();
-  network_.sent.resize(6);
-  EXPECT_EQ(network_.sent,
-            (std::vector<std::string>{"map", "transform", "odometry", "scans", "clock", "goal"}));
+  network_.sent.resize(7);
+  EXPECT_EQ(network_.sent, (std::vector<std::string>{"map", "transform", "odometry", "scans",
+                                                     "clock", "map is there", "goal"}));
   EXPECT_EQ(step().v, 0.5);
 }
 
@@ -347,6 +349,40 @@ TEST_F(Ros2MethodTest, NodesThatFallSilentBetweenRunsEndTheNextOneAtTheDeadline)
     EXPECT_NEAR(network_.time - before, options_.deadline, 0.2);
     network_.on_clock = answer;
   }
+}
+
+TEST_F(Ros2MethodTest, NodesThatAnswerAPartOfEachObservationEndTheRun) {
+  network_.on_clock = [](RosTime) {};
+  for (const double patience : {0.0, 0.2}) {
+    options_.commands_per_cycle = 2;
+    options_.patience = patience;
+    network_.on_scan = [this](RosTime now) {
+      network_.answer(0.5, now);
+      network_.answer(0.5, now);
+    };
+    make();
+    begin();
+    step();
+    network_.on_scan = [this](RosTime now) { network_.answer(0.5, now); };
+    begin();
+    const double before = network_.time;
+    EXPECT_THROW(settle(), MethodTimeout);
+    EXPECT_GE(network_.time - before, options_.deadline);
+    EXPECT_LE(network_.time - before, options_.startup_time + options_.deadline);
+  }
+}
+
+TEST_F(Ros2MethodTest, TheRestGoesOnWhileAReaderIsGone) {
+  options_.mode = Ros2Mode::Realtime;
+  begin();
+  const auto answer = network_.on_clock;
+  network_.on_clock = [&](RosTime now) {
+    network_.missing = {"reader of /scan"};  // until it is active
+    if (network_.time > 5) network_.missing.clear();
+    answer(now);
+  };
+  settle();
+  EXPECT_NEAR(network_.time, 5, 0.3);
 }
 
 TEST_F(Ros2MethodTest, TheRestIsNoPartOfTheFirstCycle) {

@@ -147,6 +147,7 @@ TEST_F(Ros2NodesTest, NodesOfNav2sLayoutsStartAndAreCountedByTheirNames) {
     expect_equal_runs(*launch(CYCLONE_PEER " " + layout, keys));
     expect_second_in_real_time(*launch(CYCLONE_PEER " " + layout, keys + "mode = realtime\n"));
   }
+  if (!std::string(FAST_PEER).empty()) expect_equal_runs(*launch(FAST_PEER " humble"));
   const auto humble = launch(CYCLONE_PEER " humble");
   EXPECT_TRUE(mentions(run(*humble).detail,
                        {"/cmd_vel has 2 publishers (/behavior_server, /velocity_smoother), more "
@@ -264,6 +265,7 @@ TEST_F(Ros2NodesTest, TheLastOfSeveralCommandsForAScanCountsIfTheirNumberIsKnown
 TEST_F(Ros2NodesTest, NodesStayOnThisMachineByTheVariableOfTheirDistribution) {
   const TemporaryFolder folder;
   const std::string file = folder / "environment";
+  for (const char* one : {"ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE"}) unsetenv(one);
   const auto environment = [&](const char* distribution) {
     setenv("ROS_DISTRO", distribution, 1);
     make("launch = env | grep -E 'ROS_(AUTO|LOCAL)' | sort > " + file + "; exec " CYCLONE_PEER "\n")

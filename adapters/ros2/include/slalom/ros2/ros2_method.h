@@ -76,8 +76,8 @@ struct Ros2Options {
 /// time the robot stops after command_timeout without a command. Velocities beyond the robot's
 /// limits become the nearest ones within them, as on a real base.
 ///
-/// reset() and step() throw MethodTimeout when no command arrives in time, and MethodError when the
-/// process exits, the publishers of the commands are not as expected, or a node refuses a
+/// settle() and step() throw MethodTimeout when no command arrives in time, and MethodError when
+/// the process exits, the publishers of the commands are not as expected, or a node refuses a
 /// parameter. check() throws Error (Usage) when the launched nodes do not appear within the startup
 /// time, or refuse a parameter.
 MethodFactory ros2_method(const Ros2Options& options, const WallClock& clock = steady_seconds);
