@@ -110,6 +110,8 @@ TEST_F(Ros2ProgramTest, TheCampaignOfNav2RunsWithBothOfItsLayouts) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("nav2*      2        2\n"), std::string::npos) << result.out;
   }
+  expect_failure("slalom-analyze table jazzy/runs.results --columns cycle_time_mean", 2,
+                 {"metric 'cycle_time_mean'", "methods that follow the wall clock have none"});
 }
 
 TEST_F(Ros2ProgramTest, ACampaignGoesOnAfterNodesThatAreKilled) {

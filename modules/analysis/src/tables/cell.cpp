@@ -49,7 +49,10 @@ void require_valid(const AnalysisOptions& options) {
 }
 
 Error unknown_metric(const std::string& id, const std::vector<std::string>& known) {
-  return usage_error("metric '" + id + "'", "not in these results", expected_name(id, known));
+  const std::string reason =
+      starts_with(id, "cycle_time_") ? ": methods that follow the wall clock have none" : "";
+  return usage_error("metric '" + id + "'", "not in these results" + reason,
+                     expected_name(id, known));
 }
 
 void require_readable(const ResultTable& table, const std::string& where, const std::string& id) {
