@@ -88,16 +88,13 @@ class Ros2Method : public Method {
         barrier_(barrier_nodes(options)),
         parameters_(node_parameters(options)),
         robot_(robot),
-        scan_latency_(sensor.latency),
-        empty_scans_(empty_scans(sensor)),
-        has_lasers_(!sensor.lasers.empty()),
+        sensor_(sensor),
         environment_({{"ROS_DOMAIN_ID", std::to_string(domain)},
                       {"ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST"},
                       {"PYTHONUNBUFFERED", "1"}}),  // what they print is of their run
         clock_(std::move(clock)),
         make_link_(std::move(make_link)),
         where_(std::move(where)),
-        is_paced_(options.mode == Ros2Mode::Realtime),
         last_(options.launch.empty() ? time_of_running_nodes() : 0) {
     if (!knows_discovery_range()) environment_.emplace_back("ROS_LOCALHOST_ONLY", "1");
     if (!options.rmw.empty()) environment_.emplace_back("RMW_IMPLEMENTATION", options.rmw);
@@ -110,7 +107,7 @@ class Ros2Method : public Method {
   }
 
   bool uses_map() const override { return options_.map == Ros2Map::Known; }
-  bool is_paced() const override { return is_paced_; }
+  bool is_paced() const override { return options_.mode == Ros2Mode::Realtime; }
 
   /// Launches the nodes, if they are to be launched.
   void start() {
@@ -130,10 +127,11 @@ class Ros2Method : public Method {
       link_->send_map({kCheckedCell, {-kCheckedMap / 2, -kCheckedMap / 2}, kSide, kSide, &cells},
                       last_);
     }
+    const auto scans = empty_scans(sensor_);
     Observation nothing;
-    nothing.scan = &empty_scans_.front();
-    for (const auto& scan : empty_scans_)
-      if (has_lasers_) nothing.lasers.push_back(&scan);
+    nothing.scan = &scans.front();
+    if (!sensor_.lasers.empty())
+      for (const auto& scan : scans) nothing.lasers.push_back(&scan);
     try {
       await_nodes(nothing);
     } catch (const NodeParameterError& refusal) {
@@ -142,7 +140,7 @@ class Ros2Method : public Method {
       throw usage_error(where_("launch"), failure.what());
     }
     const double until = clock_() + kNamingTime;
-    for (std::string excess; !(excess = excess_of_publishers()).empty(); link_->wait(0.01))
+    for (std::string excess; !(excess = excess_of(link_->publishers())).empty(); link_->wait(0.01))
       if (clock_() >= until) throw usage_error(where_("publishers"), excess);
   }
 
@@ -177,7 +175,7 @@ class Ros2Method : public Method {
     take_commands();  // of before the goal
     link_->send_goal(goal_, start_);
     const int block = std::max(1, static_cast<int>(std::ceil(kRest / period_)));
-    const bool each = !is_paced_ && options_.patience == 0;
+    const bool each = !is_paced() && options_.patience == 0;
     last_command_time_ = clock_();
     const double until = clock_() + options_.startup_time;
     double next_goal = clock_() + kGoalPeriod;
@@ -185,11 +183,11 @@ class Ros2Method : public Method {
     double answered_at = clock_();
     longest_answer_ = 0;
     const auto is_within_block = [&](int cycle) {
-      return is_paced_ ? cycle < block : cycle == 0 || cycle % block != 0;
+      return is_paced() ? cycle < block : cycle == 0 || cycle % block != 0;
     };
     for (int cycle = 0; is_within_block(cycle) || answers < (each ? block : 1); ++cycle) {
       // A node that is configured may read scans for a moment only.
-      const bool answered = (is_paced_ ? is_commanded(observation) : is_answered(observation)) &&
+      const bool answered = (is_paced() ? is_commanded(observation) : is_answered(observation)) &&
                             link_->missing().empty();
       answers = answered ? answers + 1 : each ? 0 : answers;
       if (answered) answered_at = clock_();
@@ -208,7 +206,7 @@ class Ros2Method : public Method {
                             std::to_string(options_.commands_per_cycle) + " on " + command_topic() +
                             " within " + format_number(longest) + " s of wall-clock time");
     }
-    if (!is_paced_ && !counted_) count_commands();
+    if (!is_paced() && !counted_) count_commands();
     take_commands();
     figures_["commands_stale"] = figures_["commands_late"] = 0;
     rested_ = true;
@@ -218,7 +216,7 @@ class Ros2Method : public Method {
   Command step(const Observation& observation) override {
     if (!rested_) settle(observation);
     const RosTime now = start_ + nanoseconds(observation.time);
-    return is_paced_ ? step_in_real_time(observation, now) : step_in_lockstep(observation, now);
+    return is_paced() ? step_in_real_time(observation, now) : step_in_lockstep(observation, now);
   }
 
   std::map<std::string, double> run_figures() const override { return figures_; }
@@ -256,20 +254,18 @@ class Ros2Method : public Method {
 
   /// Publishes what a robot publishes that waits for its nodes.
   void rest_while_starting(const Observation& observation) {
-    const RosTime step = is_paced_ ? kStartingStep : kStartingStepInLockstep;
+    const RosTime step = is_paced() ? kStartingStep : kStartingStepInLockstep;
     last_ = (last_ / step + 1) * step;
     send_data(observation, last_, last_);
     link_->send_clock(last_);
-    next_resting_ = clock_() + (is_paced_ ? kStartingPeriod : kStartingPeriodInLockstep);
+    next_resting_ = clock_() + (is_paced() ? kStartingPeriod : kStartingPeriodInLockstep);
   }
 
   /// A node that publishes more commands than expected would be ahead of the data by one command,
   /// and then by another.
   void count_commands() {
     const double until = clock_() + std::max(kSettlingTime, 1.5 * longest_answer_);
-    int more = take_commands();
-    for (double left; (left = until - clock_()) > 0; more += take_commands()) link_->wait(left);
-    if (more > 0)
+    if (take_commands_until(until) > 0)
       fail<MethodError>("further commands on " + command_topic() +
                         " followed an observation, beyond commands_per_cycle = " +
                         std::to_string(options_.commands_per_cycle));
@@ -301,11 +297,7 @@ class Ros2Method : public Method {
   /// Answers to earlier observations may be on their way.
   void drop_commands_until_quiet(double seconds) {
     const double last = clock_() + patience();
-    double end = clock_() + seconds;
-    for (double left; (left = std::min(end, last) - clock_()) > 0;) {
-      check_health();
-      link_->wait(std::min(left, kHealthPeriod));
-      if (take_commands() > 0) end = clock_() + seconds;
+    while (clock_() < last && take_commands_until(std::min(clock_() + seconds, last)) > 0) {
     }
   }
 
@@ -313,11 +305,7 @@ class Ros2Method : public Method {
   bool is_commanded(const Observation& observation) {
     const double end = clock_() + period_;
     send(observation, start_);
-    int commands = take_commands();
-    for (double left; (left = end - clock_()) > 0; commands += take_commands()) {
-      check_health();
-      link_->wait(std::min(left, kHealthPeriod));
-    }
+    const int commands = take_commands_until(end);
     if (answered_ && commands == 0) check_silence();
     answered_ = answered_ || commands > 0;
     return commands > 0;
@@ -338,13 +326,7 @@ class Ros2Method : public Method {
   Command step_in_real_time(const Observation& observation, RosTime now) {
     send(observation, now);
     next_cycle_ = std::max(next_cycle_ + period_, clock_());
-    int received = 0;
-    for (double left; (left = next_cycle_ - clock_()) > 0; received += take_commands()) {
-      check_health();
-      link_->wait(std::min(left, kHealthPeriod));
-    }
-    received += take_commands();
-    if (received == 0) {
+    if (take_commands_until(next_cycle_) == 0) {
       figures_["commands_missing"] += 1;
       check_silence();
       if (options_.command_timeout > 0 &&
@@ -361,7 +343,7 @@ class Ros2Method : public Method {
   /// Sends the data of a cycle, then its time. The nodes' timers fire with the time, and must find
   /// the data.
   void send(const Observation& observation, RosTime now) {
-    scan_time_ = now - nanoseconds(std::min(scan_latency_, observation.time));
+    scan_time_ = now - nanoseconds(std::min(sensor_.latency, observation.time));
     send_data(observation, now, scan_time_);
     const RosTime step =
         options_.clock_step > 0 ? nanoseconds(options_.clock_step) : nanoseconds(period_);
@@ -441,6 +423,16 @@ class Ros2Method : public Method {
     return count;
   }
 
+  /// Counts those that arrive until this time of the clock.
+  int take_commands_until(double end) {
+    int count = 0;
+    for (double left; (left = end - clock_()) > 0; count += take_commands()) {
+      check_health();
+      link_->wait(std::min(left, kHealthPeriod));
+    }
+    return count + take_commands();
+  }
+
   std::string command_topic() const { return ros_name(options_, options_.command); }
 
   void check_silence() {
@@ -450,16 +442,17 @@ class Ros2Method : public Method {
   }
 
   /// The message about too many nodes that publish commands; "" if there is none.
-  std::string excess_of_publishers() {
-    const std::vector<std::string> nodes = link_->publishers();
+  std::string excess_of(const std::vector<std::string>& nodes) const {
     if (static_cast<int>(nodes.size()) <= options_.publishers) return "";
     return command_topic() + " has " + std::to_string(nodes.size()) + " publishers (" +
            join(nodes, ", ") + "), more than publishers = " + std::to_string(options_.publishers);
   }
 
-  void check_publishers() {
-    if (const std::string excess = excess_of_publishers(); !excess.empty())
-      fail<MethodError>(excess);
+  /// Returns their number.
+  std::size_t check_publishers() {
+    const std::vector<std::string> nodes = link_->publishers();
+    if (const std::string excess = excess_of(nodes); !excess.empty()) fail<MethodError>(excess);
+    return nodes.size();
   }
 
   void check_health() {
@@ -468,8 +461,7 @@ class Ros2Method : public Method {
         fail<MethodError>("the launched process ended (" + *end + ")");
     }
     if (!connected_) return;
-    check_publishers();
-    if (link_->publishers().empty()) fail<MethodError>("no node publishes " + command_topic());
+    if (check_publishers() == 0) fail<MethodError>("no node publishes " + command_topic());
   }
 
   template <typename Failure>
@@ -497,16 +489,13 @@ class Ros2Method : public Method {
   std::vector<NodeParameter> parameters_;
   std::optional<ScratchFolder> folder_;  ///< with the file of parameters
   RobotModel robot_;
-  double scan_latency_;  ///< s
-  std::vector<mrpt::obs::CObservation2DRangeScan> empty_scans_;
-  bool has_lasers_;
+  SensorModel sensor_;
   EnvironmentVariables environment_;
   WallClock clock_;
   MakeLink make_link_;
   std::unique_ptr<RosLink> link_;
   std::unique_ptr<ExternalProcess> process_;  ///< ends before the link
   OptionLocation where_;
-  bool is_paced_;
   RosTime last_;  ///< of /clock
   RosTime start_ = 0, scan_time_ = 0;
   bool connected_ = false, rested_ = false;
