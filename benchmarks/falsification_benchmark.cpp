@@ -86,9 +86,9 @@ bool is_severe(Outcome outcome) {
 }
 
 unsigned& defects_begun() {
-  void* library = dlopen(PLANTED_PLUGIN, RTLD_NOW);
+  void* library = dlopen(kPlantedMethod.c_str(), RTLD_NOW);
   auto* begun = library == nullptr ? nullptr : dlsym(library, "planted_defects_begun");
-  if (begun == nullptr) throw std::runtime_error("no planted_defects_begun in " PLANTED_PLUGIN);
+  if (begun == nullptr) throw std::runtime_error("no planted_defects_begun in " + kPlantedMethod);
   return *static_cast<unsigned*>(begun);
 }
 

@@ -4,6 +4,7 @@
 // (`per_scan`), or from a timer behind the barrier (`barrier`): Method::step(), in two processes.
 // For comparable figures run it with
 //   --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
+#include "places.h"
 #include "private_network.h"
 
 #include <slalom/ros2/ros2_method.h>
@@ -15,7 +16,7 @@ namespace {
 
 void step(benchmark::State& state, const std::string& arguments, const std::string& barrier) {
   Ros2Options options;
-  options.launch = "exec " CYCLONE_PEER " --stamped" + arguments;
+  options.launch = "exec " + kCyclonePeer + " --stamped" + arguments;
   options.barrier = barrier;
   mrpt::obs::CObservation2DRangeScan scan;
   scan.resizeScan(181);

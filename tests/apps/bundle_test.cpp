@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <slalom/core/hash.h>
@@ -344,8 +345,7 @@ TEST_F(Bundles, ForgedStatementsAreFound) {
 }
 
 TEST_F(Bundles, CarryTheFilesOfTheirMethods) {
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
-                             folder_ / "mine.so");
+  std::filesystem::copy_file(kFollowTheGap, folder_ / "mine.so");
   write("small.ini", kSmallCampaign);
   const std::string campaign = "small.ini --set method.gap.plugin=./mine.so --quiet ";
   ASSERT_EQ(run("slalom-evaluate " + campaign + "-o mine --bundle a.slalom --with-sources").status,
@@ -407,7 +407,7 @@ TEST_F(Bundles, CarryTheFilesThatOptionsOfAPythonClassName) {
 }
 
 TEST_F(Bundles, CarryTheConfigurationsOfMrptsMethods) {
-  const std::string original = SLALOM_SOURCE "/tests/adapters/mrpt_nav/small_navigator.ini";
+  const std::string original = kSource + "/tests/adapters/mrpt_nav/small_navigator.ini";
   for (const char* adapter : {"mrpt_navigator", "mrpt_holonomic"}) {
     std::filesystem::copy_file(original, folder_ / "mine.ini");
     write("mrpt.ini",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "private_network.h"
 #include "program_run.h"
 
@@ -11,7 +12,7 @@ class Configs : public ProgramTest {
   /// scripts/claims.py.
   static std::vector<std::filesystem::path> examples(bool generate) {
     std::vector<std::filesystem::path> paths;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(SLALOM_CONFIGS)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kConfigs)) {
       if (entry.path().extension() != ".ini" || entry.path().parent_path().filename() == "claims")
         continue;
       const bool campaign = read_text(entry.path()).find("[campaign]") != std::string::npos;
@@ -36,7 +37,8 @@ class Configs : public ProgramTest {
 std::string node_of_the_test(const std::string& text) {
   return text.find("adapter      = ros2") == std::string::npos
              ? ""
-             : " --set method.nav2.mode=lockstep --set 'method.nav2.launch=exec " CYCLONE_PEER "'";
+             : " --set method.nav2.mode=lockstep --set 'method.nav2.launch=exec " + kCyclonePeer +
+                   "'";
 }
 
 TEST_F(Configs, EveryCampaignExampleRuns) {

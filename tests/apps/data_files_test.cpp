@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <slalom/core/text.h>
@@ -74,7 +75,7 @@ TEST_F(DataFiles, NoProgramExecutesWhatAResultFileNames) {
 }
 
 TEST_F(DataFiles, ALibraryBesideTheResultsIsNotTakenForAShippedOne) {
-  for (const auto& file : std::filesystem::directory_iterator(SLALOM_BIN "/../lib/slalom")) {
+  for (const auto& file : std::filesystem::directory_iterator(kMethods)) {
     const std::string name = file.path().filename().string();
     if (file.path().extension() != ".so") continue;
     write(name, "no library");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "private_network.h"
 #include "program_run.h"
 
@@ -10,6 +11,8 @@
 
 namespace slalom {
 namespace {
+
+const std::string kPythonPackage = kBuild + "/lib/python";
 
 /// The commands of the documents print what the documents show: "Commands in documents" in
 /// docs/architecture.md.
@@ -151,7 +154,7 @@ std::string line_or_end(const Lines& lines, std::size_t index) {
 /// Documents with commands, by their names without ".md".
 std::vector<std::string> documents() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(SLALOM_DOCS))
+  for (const auto& entry : std::filesystem::directory_iterator(kDocs))
     if (entry.path().extension() == ".md" &&
         has_commands(DocumentParser(read_text(entry.path())).steps()))
       names.push_back(entry.path().stem());
@@ -168,9 +171,9 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
   }
   void SetUp() override {
     ProgramTest::SetUp();
-    std::filesystem::create_directory_symlink(SLALOM_CONFIGS, folder_ / "configs");
-    std::filesystem::create_directory_symlink(SLALOM_DOCS "/images", folder_ / "images");
-    std::filesystem::create_directory_symlink(SLALOM_DOCS "/../examples", folder_ / "examples");
+    std::filesystem::create_directory_symlink(kConfigs, folder_ / "configs");
+    std::filesystem::create_directory_symlink(kDocs + "/images", folder_ / "images");
+    std::filesystem::create_directory_symlink(kSource + "/examples", folder_ / "examples");
   }
 
   /// Runs all commands in one shell, as a reader would, so that a command can use variables and
@@ -187,8 +190,8 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
     }
     write(".commands", script);
     // The interpreter for which the package is built, which need not be the first on the path.
-    EXPECT_EQ(run("PATH=\"" SLALOM_BIN ":$(dirname " PYTHON "):$PATH\" PYTHONPATH=" SLALOM_PACKAGE
-                  " sh .commands")
+    EXPECT_EQ(run("PATH=\"" + kPrograms +
+                  ":$(dirname " PYTHON "):$PATH\" PYTHONPATH=" + kPythonPackage + " sh .commands")
                   .err,
               "");
   }
@@ -228,10 +231,10 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
 };
 
 TEST_P(Documents, CommandsPrintWhatIsShown) {
-  const std::string text = read_text(SLALOM_DOCS "/" + GetParam() + ".md");
+  const std::string text = read_text(kDocs + "/" + GetParam() + ".md");
   if (!has_multicast_ && text.find("$ lcm-logger") != std::string::npos)
     GTEST_SKIP() << "neither a private network nor one with multicast";
-  if (text.find("$ python3") != std::string::npos && !std::filesystem::exists(SLALOM_PACKAGE))
+  if (text.find("$ python3") != std::string::npos && !std::filesystem::exists(kPythonPackage))
     GTEST_SKIP() << "the Python package is not built under sanitizers";
   const std::vector<Step> steps = DocumentParser(text).steps();
   run_steps(steps);

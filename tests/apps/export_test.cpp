@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "browser.h"
 #include "occurrences.h"
+#include "places.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -213,7 +214,7 @@ TEST_F(Export, FiguresRejectInvalidArguments) {
   expect_failure(figure + "--scenario none -o x.svg", 2, {"--scenario", "no such scenario"});
   expect_failure(figure + "--cell density:0,1 --method dn -o x.svg", 2, {"--method", "nd"});
   expect_failure(figure + "--animate 00000000/nd/0 -o x.pdf", 2, {"--output", "animation"});
-  expect_failure("PATH=\"" SLALOM_BIN "\" " + figure + "--ranks path_length -o x.pdf", 1,
+  expect_failure("PATH=\"" + kPrograms + "\" " + figure + "--ranks path_length -o x.pdf", 1,
                  {"rsvg-convert", "librsvg2-bin"});
 }
 

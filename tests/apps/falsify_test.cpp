@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "browser.h"
+#include "places.h"
 #include "planted_failure.h"
 #include "program_run.h"
 
@@ -183,7 +184,7 @@ TEST_F(Falsify, SearchReportsTheSimplestFirstAndHowDiverseTheyAre) {
 
 TEST_F(Falsify, SearchRunsTheMethodWhereARelativeFails) {
   write("surrogate.ini", read("planted.ini") + "[method.twin]\nadapter = library\nplugin = " +
-                             PLANTED_PLUGIN + "\ndefect = squeeze\n");
+                             kPlantedMethod + "\ndefect = squeeze\n");
   const std::string search = "slalom-falsify search surrogate.ini --method squeeze --quiet -o out ";
   const ProgramResult result = run(search + "--runs 40 --failures 1 --surrogate twin");
   ASSERT_EQ(result.status, 0) << result.err;
@@ -265,7 +266,7 @@ TEST_F(Falsify, TheSameCommandShrinksNothingAgain) {
 TEST_F(Falsify, NothingFoundIsABoundAndNotAProofOfSafety) {
   // The method without defect against itself: no failure has a witness.
   write("same.ini", read("planted.ini") +
-                        "[method.twin]\nadapter = library\nplugin = " + PLANTED_PLUGIN + "\n");
+                        "[method.twin]\nadapter = library\nplugin = " + kPlantedMethod + "\n");
   const ProgramResult result =
       run("slalom-falsify search same.ini --method base --against twin --runs 60 -o out --quiet");
   ASSERT_EQ(result.status, 0) << result.err;
@@ -305,9 +306,8 @@ TEST_F(Falsify, ASearchThatFindsNothingLeavesNoReportOfAnotherOne) {
 }
 
 TEST_F(Falsify, AnEarlierVersionOfTheLibraryIsAWitness) {
-  const ProgramResult result =
-      run("slalom-falsify search planted.ini --method base --against " PLANTED_PLUGIN
-          " --runs 20 -o out --quiet");
+  const ProgramResult result = run("slalom-falsify search planted.ini --method base --against " +
+                                   kPlantedMethod + " --runs 20 -o out --quiet");
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(read("out/failures.ini").find("[method.reference]"), std::string::npos);
 }

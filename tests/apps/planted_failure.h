@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "places.h"
+
 namespace slalom {
 
 /// A method with a planted defect, and the same one without it.
-constexpr char kPlantedCampaign[] = R"([campaign]
+inline const std::string kPlantedCampaign = R"([campaign]
 name    = planted
 seed    = 1
 methods = squeeze, base
@@ -14,11 +16,11 @@ generator = random
 max_time = 40
 [method.squeeze]
 adapter = library
-plugin  = )" PLANTED_PLUGIN R"(
+plugin  = )" + kPlantedMethod + R"(
 defect  = squeeze
 [method.base]
 adapter = library
-plugin  = )" PLANTED_PLUGIN "\n";
+plugin  = )" + kPlantedMethod + "\n";
 
 /// A wall with a door that triggers the defect, and obstacles that do not matter.
 constexpr char kPlantedPassage[] = R"(name: "passage"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "places.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +40,7 @@ class ProgramTest : public ::testing::Test {
 
   /// Runs a shell command in the test's folder.
   ProgramResult run(const std::string& command) const {
-    const std::string shell = "cd '" + folder_.string() + "' && PATH=\"" SLALOM_BIN ":$PATH\" " +
+    const std::string shell = "cd '" + folder_.string() + "' && PATH=\"" + kPrograms + ":$PATH\" " +
                               command + " >.out 2>.err </dev/null";
     const int status = std::system(shell.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),

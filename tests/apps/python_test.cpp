@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -151,7 +152,7 @@ TEST_F(PythonProgramTest, AMissingModuleStopsBeforeTheFirstRun) {
 }
 
 TEST_F(PythonProgramTest, TheExampleIsTheOneInTheDocuments) {
-  const std::string source = SLALOM_SOURCE;
+  const std::string source = kSource;
   const std::string document = read_text(source + "/docs/methods.md");
   const std::string module = read_text(source + "/examples/python_method/my_method.py");
   std::string ini = read_text(source + "/examples/python_method/campaign.ini");

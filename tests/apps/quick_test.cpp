@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -8,7 +9,7 @@
 namespace slalom {
 namespace {
 
-constexpr const char* kTables = SLALOM_CONFIGS "/testbeds/";
+const std::string kTables = kConfigs + "/testbeds/";
 
 /// A table of difficulty as numbers.
 struct Table {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -36,8 +37,10 @@ class Recording : public ProgramTest {
   void SetUp() override {
     ProgramTest::SetUp();
     write("crashing.c", kCrashingMethod);
-    ASSERT_EQ(run("cc -shared -fPIC -I" SLALOM_METHOD_INCLUDE " crashing.c -o crashing.so").status,
-              0);
+    ASSERT_EQ(
+        run("cc -shared -fPIC -I" + kSource + "/modules/methods/include crashing.c -o crashing.so")
+            .status,
+        0);
     write("campaign.ini", R"([campaign]
 methods = crashing, gap
 [scenarios]

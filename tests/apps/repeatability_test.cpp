@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "private_network.h"
 #include "program_run.h"
 
@@ -23,7 +24,8 @@ class Repeatability : public ProgramTest {
     ProgramTest::SetUp();
     std::string text = kSmallCampaign;
     text.replace(text.find("nd, gap"), 7, "mine");
-    text += "[method.mine]\nadapter = library\nplugin = " COUNTING_PLUGIN "\n";
+    text += "[method.mine]\nadapter = library\nplugin = " + kBuild +
+            "/tests/apps/plugins/libcounting_method.so\n";
     write("mine.ini", text);
     write("small.ini", kSmallCampaign);
   }
@@ -56,13 +58,15 @@ TEST_F(Repeatability, IsMeasuredForEveryAdapter) {
   const std::string limits = "deadline = 100\nstartup_time = 100\n";  // of slow machines
   text += "[method.far]\nadapter = lcm\n" + limits +
           "launch = exec slalom-lcm-method --plugin libslalom_follow_the_gap.so\n"
-          "[method.node]\nadapter = ros2\nlaunch = exec " CYCLONE_PEER "\n" +
-          limits +
+          "[method.node]\nadapter = ros2\nlaunch = exec " +
+          kCyclonePeer + "\n" + limits +
           "[method.python]\nadapter = python\nclass = MyMethod\n"
-          "module = " SLALOM_SOURCE
+          "module = " +
+          kSource +
           "/examples/python_method/my_method.py\n"
           "[method.network]\nadapter = onnx\nscan_size = 61\n"
-          "model = " SLALOM_SOURCE "/examples/onnx_policy/policy.onnx\n";
+          "model = " +
+          kSource + "/examples/onnx_policy/policy.onnx\n";
   write("small.ini", text);
   const ProgramResult result = run("slalom-evaluate small.ini -o out -j 2");
   EXPECT_EQ(result.status, 0) << result.err;
@@ -116,12 +120,11 @@ TEST_F(Repeatability, IsMeasuredOnceAndKeptByExtensionsAndMerges) {
 }
 
 TEST_F(Repeatability, IsNotMeasuredAcrossVersionsOfAMethod) {
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
-                             folder_ / "gap.so");
+  std::filesystem::copy_file(kFollowTheGap, folder_ / "gap.so");
   const std::string evaluate = "slalom-evaluate small.ini -o out --set method.gap.plugin=./gap.so ";
   EXPECT_TRUE(has(run(evaluate).err, "nd, gap: repeatable in 4 of 4 runs\n"));
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_go_to_goal.so",
-                             folder_ / "gap.so", std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(kMethods + "/libslalom_go_to_goal.so", folder_ / "gap.so",
+                             std::filesystem::copy_options::overwrite_existing);
   const ProgramResult mixed = run(evaluate + "--keep-finished");
   EXPECT_EQ(mixed.status, 0) << mixed.err;
   EXPECT_TRUE(has(mixed.err, "\nnd: repeatable in 4 of 4 runs\n")) << mixed.err;
@@ -156,12 +159,11 @@ TEST_F(Repeatability, TheBadgeOfAVerificationCountsTheIdenticalRunsOnly) {
 }
 
 TEST_F(Repeatability, VerifySaysThatAMethodRepeatsItselfWhereTheResultsDiffer) {
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
-                             folder_ / "gap.so");
+  std::filesystem::copy_file(kFollowTheGap, folder_ / "gap.so");
   ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet --set method.gap.plugin=./gap.so").status,
             0);
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_go_to_goal.so",
-                             folder_ / "gap.so", std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(kMethods + "/libslalom_go_to_goal.so", folder_ / "gap.so",
+                             std::filesystem::copy_options::overwrite_existing);
   const ProgramResult result =
       run("slalom-simulate verify out/runs.results --trust --fraction 1 --quiet");
   EXPECT_EQ(result.status, 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "browser.h"
+#include "places.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -163,11 +164,11 @@ std::pair<unsigned, unsigned> png_size(const std::string& bytes) {
 }
 
 TEST_F(ReportInABrowser, ThePictureInTheReadmeIsMadeByItsScript) {
-  const std::string script = SLALOM_SOURCE "/scripts/report_picture.sh ";
+  const std::string script = kSource + "/scripts/report_picture.sh ";
   const ProgramResult made = run(script + "out/report made.png");
   ASSERT_EQ(made.status, 0) << made.err;
   const std::string picture = read("made.png");
-  EXPECT_EQ(png_size(picture), png_size(read_text(SLALOM_SOURCE "/docs/images/report.png")));
+  EXPECT_EQ(png_size(picture), png_size(read_text(kSource + "/docs/images/report.png")));
   EXPECT_GT(picture.size(), 20000U) << "an empty page takes 5 kB";
   ASSERT_EQ(run(script + "out/report again.png").status, 0);
   EXPECT_EQ(picture, read("again.png")) << "the same report gives the same picture";

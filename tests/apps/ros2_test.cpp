@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Campaigns with nodes of ROS 2, in a private network namespace if permitted.
+#include "places.h"
 #include "private_network.h"
 #include "program_run.h"
 
@@ -24,8 +25,8 @@ class Ros2ProgramTest : public ProgramTest {
   }
   static std::string section(const std::string& name, const std::string& arguments,
                              const std::string& keys = "") {
-    return "[method." + name + "]\nadapter = ros2\nlaunch = exec " CYCLONE_PEER " " + arguments +
-           "\ndeadline = 100\nstartup_time = 100\n" + keys;
+    return "[method." + name + "]\nadapter = ros2\nlaunch = exec " + kCyclonePeer + " " +
+           arguments + "\ndeadline = 100\nstartup_time = 100\n" + keys;
   }
 
   /// The runs by scenario and method, without the name of the method.
@@ -50,7 +51,7 @@ class Ros2ProgramTest : public ProgramTest {
     std::error_code error;
     const auto network = std::filesystem::read_symlink("/proc/self/ns/net", error);
     for (const auto& process : std::filesystem::directory_iterator("/proc"))
-      if (std::filesystem::read_symlink(process.path() / "exe", error) == CYCLONE_PEER &&
+      if (std::filesystem::read_symlink(process.path() / "exe", error) == kCyclonePeer &&
           std::filesystem::read_symlink(process.path() / "ns/net", error) == network)
         ++count;
     return count;
@@ -103,10 +104,10 @@ TEST_F(Ros2ProgramTest, ACertificateIsOfTheParametersThatNodesAreGiven) {
 TEST_F(Ros2ProgramTest, TheCampaignOfNav2RunsWithBothOfItsLayouts) {
   for (const std::string layout : {"humble", "jazzy"}) {
     const ProgramResult result = run(
-        "slalom-evaluate " SLALOM_CONFIGS "/nav2.ini -o " + layout +
+        "slalom-evaluate " + kConfigs + "/nav2.ini -o " + layout +
         " -j 1 --set scenarios.count=2 --set simulation.max_time=1 --set record.repeated_runs=0 "
-        "--set 'method.nav2.launch=exec " CYCLONE_PEER " " +
-        layout + "'");
+        "--set 'method.nav2.launch=exec " +
+        kCyclonePeer + " " + layout + "'");
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.out.find("nav2*      2        2\n"), std::string::npos) << result.out;
   }
@@ -142,8 +143,8 @@ TEST_F(Ros2ProgramTest, StaleCommandsAreShownWithTheCampaignInTablesAndWithTheir
 TEST_F(Ros2ProgramTest, NodesAreLaunchedOnceForTheCheckAndOnceForEachRunOnRequest) {
   write_campaign("node",
                  "[record]\nrepeated_runs = 0\n[method.node]\nadapter = ros2\n"
-                 "launch = echo launched >> $COUNTED; exec " CYCLONE_PEER
-                 "\nrestart = run\ndeadline = 100\nstartup_time = 100\n");
+                 "launch = echo launched >> $COUNTED; exec " +
+                     kCyclonePeer + "\nrestart = run\ndeadline = 100\nstartup_time = 100\n");
   const ProgramResult result =
       run("COUNTED=$PWD/launches slalom-evaluate small.ini --quiet -o out -j 1");
   EXPECT_EQ(result.status, 0) << result.err;
@@ -153,7 +154,8 @@ TEST_F(Ros2ProgramTest, NodesAreLaunchedOnceForTheCheckAndOnceForEachRunOnReques
 TEST_F(Ros2ProgramTest, TheLastErrorThatNodesPrintedIsNamedWithItsRun) {
   write_campaign("node",
                  "[method.node]\nadapter = ros2\nlaunch = echo '[ERROR] [1.0] [planner]: no "
-                 "path'; exec " CYCLONE_PEER " pauses\npatience = 0.02\nrestart = run\n");
+                 "path'; exec " +
+                     kCyclonePeer + " pauses\npatience = 0.02\nrestart = run\n");
   const std::string err = run("slalom-evaluate small.ini -o out -j 1 --set record.repeated_runs=0 "
                               "--set simulation.max_time=10")
                               .err;

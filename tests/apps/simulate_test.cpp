@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -29,8 +30,7 @@ TEST_F(Simulate, RunsTheCampaignThatAResultFileContains) {
   EXPECT_EQ(run("slalom-analyze dump a.results").out, run("slalom-analyze dump b.results").out);
   expect_failure("slalom-simulate run a.results -o a.results --overwrite", 2,
                  {"-o a.results", "is also an input"});
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
-                             folder_ / "mine.so");
+  std::filesystem::copy_file(kFollowTheGap, folder_ / "mine.so");
   ASSERT_EQ(run("slalom-simulate run small.ini --set method.gap.plugin=./mine.so --quiet "
                 "-o mine.results")
                 .status,
@@ -81,8 +81,7 @@ TEST_F(Simulate, RejectsInvalidListsAndVerbs) {
 }
 
 TEST_F(Simulate, NoOutputReplacesAFileThatTheConfigurationNames) {
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
-                             folder_ / "gap.so");
+  std::filesystem::copy_file(kFollowTheGap, folder_ / "gap.so");
   const std::string plugin = read("gap.so");
   expect_failure(
       "slalom-simulate run small.ini --set method.gap.plugin=./gap.so -o gap.so --overwrite", 2,
@@ -190,8 +189,7 @@ TEST_F(Simulate, StatusTellsWhichShardsAreMissingFromTheirFiles) {
 }
 
 TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_follow_the_gap.so",
-                             folder_ / "gap.so");
+  std::filesystem::copy_file(kFollowTheGap, folder_ / "gap.so");
   ASSERT_EQ(run("slalom-simulate run small.ini --set method.gap.plugin=./gap.so --quiet "
                 "-o a.results")
                 .status,
@@ -212,8 +210,8 @@ TEST_F(Simulate, VerifyRunsASampleAgainAndNamesWhatIsDifferent) {
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.err.find("no such run in these results"), std::string::npos) << unknown.err;
   // Another method under the name of the library that the campaign used.
-  std::filesystem::copy_file(SLALOM_BIN "/../lib/slalom/libslalom_go_to_goal.so",
-                             folder_ / "gap.so", std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(kMethods + "/libslalom_go_to_goal.so", folder_ / "gap.so",
+                             std::filesystem::copy_options::overwrite_existing);
   const ProgramResult changed =
       run("slalom-simulate verify a.results --trust --fraction 1 --quiet");
   EXPECT_EQ(changed.status, 1);

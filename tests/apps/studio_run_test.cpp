@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "planted_failure.h"
 #include "studio_fixture.h"
 
@@ -33,7 +34,9 @@ rawlog = all
 )";
 
 /// "mine" does what `fault` names after one second.
-std::string faulty_campaign(const std::string& fault, const std::string& plugin = FAULTY_PLUGIN) {
+std::string faulty_campaign(const std::string& fault,
+                            const std::string& plugin = kBuild +
+                                                        "/tests/faults/libfaulty_method.so") {
   return "[campaign]\nname = faulty\nmethods = mine\n[scenarios]\nlist = none.scenarios\n"
          "[method.mine]\nadapter = library\nplugin = " +
          plugin + "\nfault = " + fault + "\n";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "png_file.h"
 #include "studio_fixture.h"
 
@@ -97,7 +98,7 @@ class StudioScreenshot : public StudioTest {
   void expect_as_kept(const std::string& name, const std::string& script,
                       const std::string& arguments) const {
     const auto taken = folder_ / (name + ".png");
-    const auto kept = std::filesystem::path(SLALOM_PICTURES) / (name + ".png");
+    const auto kept = std::filesystem::path(kSource) / "tests/apps/pictures" / (name + ".png");
     expect_played(script + "move status at 0.5 0.5\nwait idle\nscreenshot " + taken.string() + "\n",
                   "out/campaign.scenarios --results out/runs.results " + arguments);
     if (std::getenv("SLALOM_KEEP_PICTURES") != nullptr) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 namespace slalom {
@@ -8,7 +9,7 @@ class TestBeds : public ProgramTest {
  protected:
   /// The hash of the set with this name in the table of the documentation, or "".
   static std::string documented_hash(const std::string& name) {
-    std::istringstream lines(read_text(SLALOM_DOCS "/testbeds.md"));
+    std::istringstream lines(read_text(kDocs + "/testbeds.md"));
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("| `" + name + "`", 0) != 0) continue;
       const std::size_t end = line.rfind("` |");
@@ -19,7 +20,7 @@ class TestBeds : public ProgramTest {
 };
 
 TEST_F(TestBeds, SlalomSmallAgreesWithTheDocumentation) {
-  const ProgramResult generated = run("slalom-scenarios generate -c '" SLALOM_CONFIGS
+  const ProgramResult generated = run("slalom-scenarios generate -c '" + kConfigs +
                                       "/testbeds/slalom-small.ini' -o a.scenarios -j 2");
   ASSERT_EQ(generated.status, 0) << generated.err;
   EXPECT_EQ(last_line(generated.err), "a.scenarios: 200 scenarios");
@@ -34,8 +35,8 @@ TEST_F(TestBeds, SlalomSmallAgreesWithTheDocumentation) {
 
 TEST_F(TestBeds, SmallOnesWithMoversAndPeopleAgreeWithTheDocumentation) {
   for (const std::string name : {"slalom-dynamic-small", "slalom-people-small"}) {
-    ASSERT_EQ(run("slalom-scenarios generate -c '" SLALOM_CONFIGS "/testbeds/" + name +
-                  ".ini' -o " + name + ".scenarios -j 2")
+    ASSERT_EQ(run("slalom-scenarios generate -c '" + kConfigs + "/testbeds/" + name + ".ini' -o " +
+                  name + ".scenarios -j 2")
                   .status,
               0);
     EXPECT_EQ(run("slalom-scenarios list " + name + ".scenarios --hash").out,
@@ -44,16 +45,16 @@ TEST_F(TestBeds, SmallOnesWithMoversAndPeopleAgreeWithTheDocumentation) {
 }
 
 TEST_F(TestBeds, CrowdNavAgreesWithTheDocumentation) {
-  ASSERT_EQ(run("python3 '" SLALOM_CONFIGS "/testbeds/crowdnav-500.py' cases").status, 0);
+  ASSERT_EQ(run("python3 '" + kConfigs + "/testbeds/crowdnav-500.py' cases").status, 0);
   ASSERT_EQ(run("slalom-scenarios import cases/*.scenario.yaml -o a.scenarios").status, 0);
   EXPECT_EQ(run("slalom-scenarios list a.scenarios --hash").out,
             documented_hash("crowdnav-500") + "\n");
-  EXPECT_EQ(run("python3 '" SLALOM_CONFIGS "/testbeds/crowdnav-500.py'").status, 2);
+  EXPECT_EQ(run("python3 '" + kConfigs + "/testbeds/crowdnav-500.py'").status, 2);
 }
 
 TEST_F(TestBeds, EachHasAHashInTheDocumentation) {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SLALOM_CONFIGS "/testbeds")) {
+  for (const auto& entry : std::filesystem::directory_iterator(kConfigs + "/testbeds")) {
     if (entry.path().extension() == ".csv") continue;  // of a test bed that has its hash
     const std::string hash = documented_hash(entry.path().stem());
     EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <nlohmann/json.hpp>
@@ -22,13 +23,14 @@ constexpr char kPlanted[] =
     "        if not self.drives: return 0, 0\n"
     "        return 1, max(-1, min(1, math.atan2(o.goal_y, o.goal_x)))\n";
 /// Small scenarios without obstacles.
-constexpr char kIni[] =
+const std::string kIni =
     "[campaign]\nmethods = planted\n[scenarios]\ngenerator = random\n"
     "[generator.random]\nmin_obstacles = 0\nmax_obstacles = 0\n"
     "width = 5\nheight = 5\nmin_distance = 2\n"
     "[simulation]\nstuck_time = 1\n"
-    "[method.planted]\nadapter = library\nplugin = " PLANTED_OPTIMUM
-    "\n"
+    "[method.planted]\nadapter = library\nplugin = " +
+    kBuild +
+    "/tests/apps/plugins/libplanted_optimum.so\n"
     "[method.snake]\nadapter = python\nmodule = planted.py\nclass = Planted\n"
     "[method.go]\nadapter = library\nplugin = libslalom_go_to_goal.so\n";
 

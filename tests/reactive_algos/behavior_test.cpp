@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Properties of these methods that are known from the literature, each in its own scenario, with
 // the simulator and the plug-ins.
+#include "places.h"
+
 #include <slalom/library/library_method.h>
 #include <slalom/methods/registry.h>
 #include <slalom/mrpt_nav/holonomic_method.h>
@@ -16,40 +18,36 @@ namespace {
 
 struct IncludedMethod {
   const char* name;
-  const char* keys;
+  std::string keys;
 };
 
-#define SLALOM_LIBRARY(NAME) \
-  "adapter = library\nplugin = " SLALOM_PLUGIN_FOLDER "/libslalom_" NAME ".so\n"
-#define SLALOM_HOLONOMIC(NAME, CLASS)                                           \
-  "adapter = mrpt_holonomic\nplugin = " SLALOM_PLUGIN_FOLDER "/libslalom_" NAME \
-  ".so\nclass = "                                                               \
-  "slalom::" CLASS "\n"
+std::string library(const std::string& name) {
+  return "adapter = library\nplugin = " + kMethods + "/libslalom_" + name + ".so\n";
+}
+std::string holonomic(const std::string& name, const std::string& class_name) {
+  return "adapter = mrpt_holonomic\nplugin = " + kMethods + "/libslalom_" + name +
+         ".so\nclass = slalom::" + class_name + "\n";
+}
 
-constexpr IncludedMethod kGoToGoal = {"go_to_goal", SLALOM_LIBRARY("go_to_goal")};
-constexpr IncludedMethod kDwa = {"dwa", SLALOM_LIBRARY("dwa")};
-constexpr IncludedMethod kGuidedDwa = {"guided dwa", SLALOM_LIBRARY("dwa") "guidance = 1\n"};
-constexpr IncludedMethod kRollout = {"trajectory_rollout", SLALOM_LIBRARY("trajectory_rollout")};
-constexpr IncludedMethod kRolloutTracks = {"rollout_tracks", SLALOM_LIBRARY("rollout_tracks")};
-constexpr IncludedMethod kRosDwa = {"dwa_local_planner", SLALOM_LIBRARY("dwa_local_planner")};
-constexpr IncludedMethod kPursuit = {"regulated_pure_pursuit",
-                                     SLALOM_LIBRARY("regulated_pure_pursuit")};
-constexpr IncludedMethod kElasticBand = {"eband_local_planner",
-                                         SLALOM_LIBRARY("eband_local_planner")};
-constexpr IncludedMethod kMppi = {"mppi", SLALOM_LIBRARY("mppi") "samples = 200\n"};
-constexpr IncludedMethod kVfhPlus = {"vfh_plus", SLALOM_HOLONOMIC("vfh_plus", "CHolonomicVFHPlus")};
-constexpr IncludedMethod kSmoothNd = {"smooth_nd",
-                                      SLALOM_HOLONOMIC("smooth_nd", "CHolonomicSmoothND")};
-constexpr IncludedMethod kNdPlus = {"nd_plus", SLALOM_HOLONOMIC("nd_plus", "CHolonomicNDPlus")};
-constexpr IncludedMethod kGap = {
-    "follow_the_gap_holonomic",
-    SLALOM_HOLONOMIC("follow_the_gap_holonomic", "CHolonomicFollowTheGap")};
-constexpr IncludedMethod kField = {"potential_field",
-                                   SLALOM_HOLONOMIC("potential_field", "CHolonomicPotentialField")};
-constexpr IncludedMethod kMrptNd = {"CHolonomicND",
-                                    "adapter = mrpt_holonomic\nclass = CHolonomicND\n"};
-constexpr IncludedMethod kMrptVff = {"CHolonomicVFF",
-                                     "adapter = mrpt_holonomic\nclass = CHolonomicVFF\n"};
+const IncludedMethod kGoToGoal = {"go_to_goal", library("go_to_goal")};
+const IncludedMethod kDwa = {"dwa", library("dwa")};
+const IncludedMethod kGuidedDwa = {"guided dwa", library("dwa") + "guidance = 1\n"};
+const IncludedMethod kRollout = {"trajectory_rollout", library("trajectory_rollout")};
+const IncludedMethod kRolloutTracks = {"rollout_tracks", library("rollout_tracks")};
+const IncludedMethod kRosDwa = {"dwa_local_planner", library("dwa_local_planner")};
+const IncludedMethod kPursuit = {"regulated_pure_pursuit", library("regulated_pure_pursuit")};
+const IncludedMethod kElasticBand = {"eband_local_planner", library("eband_local_planner")};
+const IncludedMethod kMppi = {"mppi", library("mppi") + "samples = 200\n"};
+const IncludedMethod kVfhPlus = {"vfh_plus", holonomic("vfh_plus", "CHolonomicVFHPlus")};
+const IncludedMethod kSmoothNd = {"smooth_nd", holonomic("smooth_nd", "CHolonomicSmoothND")};
+const IncludedMethod kNdPlus = {"nd_plus", holonomic("nd_plus", "CHolonomicNDPlus")};
+const IncludedMethod kGap = {"follow_the_gap_holonomic",
+                             holonomic("follow_the_gap_holonomic", "CHolonomicFollowTheGap")};
+const IncludedMethod kField = {"potential_field",
+                               holonomic("potential_field", "CHolonomicPotentialField")};
+const IncludedMethod kMrptNd = {"CHolonomicND", "adapter = mrpt_holonomic\nclass = CHolonomicND\n"};
+const IncludedMethod kMrptVff = {"CHolonomicVFF",
+                                 "adapter = mrpt_holonomic\nclass = CHolonomicVFF\n"};
 
 SimulationResult run_of(const IncludedMethod& method, const World& world,
                         const RobotModel& robot = {}) {
@@ -219,8 +217,7 @@ TEST(Behavior, TracksHelpToEvadeWalkersThatDoNotGiveWay) {
 TEST(IncludedIni, OfEachHolonomicMethodIsAccepted) {
   for (const IncludedMethod& method : {kVfhPlus, kSmoothNd, kNdPlus, kGap, kField}) {
     const std::string name = method.name;
-    const std::string config =
-        "config = " SLALOM_REACTIVE_FOLDER "/" + name + "/" + name + ".ini\n";
+    const std::string config = "config = " + kReactiveAlgos + "/" + name + "/" + name + ".ini\n";
     const IniFile ini =
         IniFile::from_text("[method.a]\n" + std::string(method.keys) + config, "campaign.ini");
     EXPECT_NO_THROW(read_holonomic_method(ini, "method.a")({}, {})) << name;
@@ -232,9 +229,9 @@ TEST(IncludedIni, OfEachLibraryIsAcceptedAndHasTheDefaults) {
   for (const IncludedMethod& method :
        {kGoToGoal, kDwa, kRosDwa, kRollout, kPursuit, kElasticBand, kRolloutTracks}) {
     const std::string name = method.name;
-    IniFile ini = IniFile::load(SLALOM_REACTIVE_FOLDER "/" + name + "/" + name + ".ini");
+    IniFile ini = IniFile::load(kReactiveAlgos + "/" + name + "/" + name + ".ini");
     const std::string section = "method." + name;
-    ini.set(section, "plugin", SLALOM_PLUGIN_FOLDER "/libslalom_" + name + ".so");
+    ini.set(section, "plugin", kMethods + "/libslalom_" + name + ".so");
     const RunSetup setup;
     const auto with_ini = read_library_method(ini, section)(setup.robot, setup.sensor);
     const IniFile bare =

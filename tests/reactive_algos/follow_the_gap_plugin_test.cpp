@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
+#include "places.h"
 #include "walls.h"
 
 #include <slalom/library/library_method.h>
@@ -11,7 +12,7 @@ namespace {
 
 std::unique_ptr<Method> load(const std::string& keys = "") {
   const IniFile ini = IniFile::from_text(
-      "[method.a]\nadapter = library\nplugin = " FOLLOW_THE_GAP_PLUGIN "\n" + keys, "campaign.ini");
+      "[method.a]\nadapter = library\nplugin = " + kFollowTheGap + "\n" + keys, "campaign.ini");
   return read_library_method(ini, "method.a")({}, {});
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ranges of options that the shipped methods declare for tuning.
+#include "places.h"
+
 #include <slalom/core/random.h>
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
@@ -41,13 +43,13 @@ struct Baseline {
 };
 
 std::vector<Baseline> baselines() {
-  IniFile ini = IniFile::load(SLALOM_BASELINES);
+  IniFile ini = IniFile::load(kConfigs + "/baselines.ini");
   std::vector<Baseline> result;
   for (const std::string& section : ini.sections()) {
     const std::string adapter = ini.get(section, "adapter").value_or("");
     if (adapter != "library" && adapter != "mrpt_holonomic") continue;
     if (const auto plugin = ini.get(section, "plugin"))
-      ini.set(section, "plugin", SLALOM_PLUGIN_FOLDER "/" + *plugin);
+      ini.set(section, "plugin", kMethods + "/" + *plugin);
     result.push_back(
         {ini, section, adapter == "library" ? read_library_method : read_holonomic_method});
   }
@@ -62,7 +64,7 @@ double random_value(const TunableParameter& p, RandomEngine& random) {
 
 TEST(TuningRanges, AreThoseOfEveryShippedPlugin) {
   std::set<std::string> built, tested;
-  for (const auto& file : fs::directory_iterator(SLALOM_PLUGIN_FOLDER))
+  for (const auto& file : fs::directory_iterator(kMethods))
     if (file.is_regular_file()) built.insert(file.path().string());
   for (const Baseline& baseline : baselines())
     if (const auto plugin = baseline.ini.get(baseline.section, "plugin")) tested.insert(*plugin);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "lcm_fixture.h"
+#include "places.h"
 
 #include <slalom/library/library_method.h>
 
@@ -12,18 +13,18 @@ class Hosted : public LcmTest {
  protected:
   static std::unique_ptr<Method> in_process(const std::string& keys, const RobotModel& robot,
                                             const SensorModel& sensor) {
-    const IniFile ini =
-        IniFile::from_text("[method.a]\nadapter = library\nplugin = " FOLLOW_THE_GAP "\n" + keys);
+    const IniFile ini = IniFile::from_text(
+        "[method.a]\nadapter = library\nplugin = " + kFollowTheGap + "\n" + keys);
     return read_library_method(ini, "method.a")(robot, sensor);
   }
 
   static std::unique_ptr<Method> hosted(const std::string& keys, const RobotModel& robot = {},
                                         const SensorModel& sensor = {}) {
-    const IniFile ini = IniFile::from_text(
-        std::string("[method.a]\nadapter = lcm\n"
-                    "launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP "\n") +
-            kLongDeadlines + keys,
-        "campaign.ini");
+    const IniFile ini = IniFile::from_text(std::string("[method.a]\nadapter = lcm\n"
+                                                       "launch = exec slalom-lcm-method --plugin " +
+                                                       kFollowTheGap + "\n") +
+                                               kLongDeadlines + keys,
+                                           "campaign.ini");
     return read_lcm_method(ini, "method.a")(robot, sensor);
   }
 
@@ -110,7 +111,7 @@ TEST_F(Hosted, InvalidOptionsAreRefused) {
 
 TEST_F(Hosted, IsMadeFromOptionsOfAProgram) {
   LcmOptions options;
-  options.launch = "exec slalom-lcm-method --plugin " FOLLOW_THE_GAP;
+  options.launch = "exec slalom-lcm-method --plugin " + kFollowTheGap;
   options.settings = {{"look_ahead", "1.7"}};
   const auto method = lcm_method(options)({}, {});
   EXPECT_EQ(run(*method, {}, {}).trajectory.hash(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hurrying_clock.h"
+#include "places.h"
 #include "private_network.h"
 
 #include <slalom/lcm/lcm_method.h>
@@ -15,6 +16,8 @@
 #include <string>
 
 namespace slalom {
+
+inline const std::string kFaultyProcess = kPrograms + "/lcm_faulty_process";
 
 /// Tests in a private network, where permitted.
 class LcmTest : public testing::Test {
@@ -43,7 +46,7 @@ class LcmTest : public testing::Test {
   static std::unique_ptr<Method> make_faulty(const std::string& fault,
                                              const std::string& keys = kLongDeadlines,
                                              const WallClock& clock = steady_seconds) {
-    return make("launch = exec " FAULTY_PROCESS " " + fault + "\n" + keys, clock);
+    return make("launch = exec " + kFaultyProcess + " " + fault + "\n" + keys, clock);
   }
 
   /// 1 m ahead in an empty room.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "lcm_fixture.h"
+#include "places.h"
 #include "wait_until.h"
 
 #include <slalom/core/wall_clock.h>
@@ -22,7 +23,7 @@ constexpr char kSection[] = "method.a";
 /// Hosts follow_the_gap with the settings of a hello and one more setting.
 MethodHost gap_host(const std::string& key = "look_ahead", const std::string& value = "1.7") {
   return MethodHost("gap", [=](const hello_t& hello) {
-    IniFile ini = IniFile::from_text("[method.a]\nadapter = library\nplugin = " FOLLOW_THE_GAP);
+    IniFile ini = IniFile::from_text("[method.a]\nadapter = library\nplugin = " + kFollowTheGap);
     for (const auto& [k, v] : settings_of(hello)) ini.set(kSection, k, v);
     ini.set(kSection, key, value);
     return read_library_method(ini, kSection)(robot_of(hello), sensor_of(hello));
@@ -89,9 +90,8 @@ class Log : public LcmTest {
   }
 
   void run_logged() {
-    const auto method = make("launch = exec slalom-lcm-method --plugin " FOLLOW_THE_GAP
-                             "\nlook_ahead = 1.7\nurl = " +
-                             std::string(kLcmUrl) + "\n");
+    const auto method = make("launch = exec slalom-lcm-method --plugin " + kFollowTheGap +
+                             "\nlook_ahead = 1.7\nurl = " + std::string(kLcmUrl) + "\n");
     const World world(room().scenario().with_start_goal({1, 2.5, 0}, {3, 4}), 0.05);
     run_ = simulate(world, {}, 1, *method);
     lcm::LCM probe(kLcmUrl);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "lcm_fixture.h"
+#include "places.h"
 #include "wait_until.h"
 
 #include <csignal>
@@ -22,8 +23,9 @@ class Process : public LcmTest {
 
   std::unique_ptr<Method> launch(const std::string& fault, const std::string& keys = kLongDeadlines,
                                  const WallClock& clock = steady_seconds) const {
-    return make("launch = echo $$ >" + file_ + "; exec " FAULTY_PROCESS " " + fault + "\n" + keys,
-                clock);
+    return make(
+        "launch = echo $$ >" + file_ + "; exec " + kFaultyProcess + " " + fault + "\n" + keys,
+        clock);
   }
   pid_t process_id() const {
     pid_t pid = 0;
@@ -33,7 +35,7 @@ class Process : public LcmTest {
   /// The URL that a process was given which then succeeded.
   std::string url_of_a_run(const std::string& keys = "") const {
     const std::string line =
-        "launch = echo $SLALOM_LCM_URL >" + file_ + "; exec " FAULTY_PROCESS " none\n";
+        "launch = echo $SLALOM_LCM_URL >" + file_ + "; exec " + kFaultyProcess + " none\n";
     EXPECT_EQ(run(*make(line + kLongDeadlines + keys), 1).outcome, Outcome::Success);
     std::string url;
     std::ifstream(file_) >> url;
@@ -101,7 +103,7 @@ TEST_F(Process, IsNotSubjectToTheCpuTimeLimitOfARun) {
   getrlimit(RLIMIT_CPU, &before);
   const rlimit for_one_run{3600, before.rlim_max};
   ASSERT_EQ(setrlimit(RLIMIT_CPU, &for_one_run), 0);
-  const auto method = make("launch = ulimit -t >" + file_ + "; exec " FAULTY_PROCESS " none\n");
+  const auto method = make("launch = ulimit -t >" + file_ + "; exec " + kFaultyProcess + " none\n");
   setrlimit(RLIMIT_CPU, &before);
   std::string limit;
   std::ifstream(file_) >> limit;

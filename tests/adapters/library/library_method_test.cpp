@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
+#include "places.h"
 
 #include <slalom/library/library_method.h>
 
@@ -11,7 +12,7 @@
 namespace slalom {
 namespace {
 
-const std::string kFolder = PLUGIN_FOLDER;
+const std::string kFolder = kBuild + "/tests/adapters/library/plugins";
 
 std::string plugin_file(const std::string& name) {
   return kFolder + "/lib" + name + ".so";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
+#include "places.h"
 
 #include <slalom/library/library_method.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kPluginFolder = PLUGIN_FOLDER;
+const std::string kPluginFolder = kBuild + "/tests/adapters/library/plugins";
 const std::string kFile = "libtest_plugin_good.so";
 
 std::string resolve(const std::string& ini_path, const std::string& plugin) {

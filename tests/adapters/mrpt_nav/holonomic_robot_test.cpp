@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
+
 #include <slalom/mrpt_nav/holonomic_method.h>
 #include <slalom/simulation/simulate.h>
 
@@ -11,7 +13,7 @@ namespace slalom {
 namespace {
 
 std::string straight_keys() {
-  return "plugin = " + std::string(SLALOM_STRAIGHT_HOLONOMIC) + "\nclass = mine::CStraight\n";
+  return "plugin = " + kBuild + "/lib/libstraight_holonomic.so\nclass = mine::CStraight\n";
 }
 
 std::unique_ptr<Method> load_holonomic(const std::string& keys, const RobotModel& robot) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "places.h"
+
 #include <slalom/core/random.h>
 #include <slalom/mrpt_nav/navigator_method.h>
 #include <slalom/simulation/simulate.h>
@@ -17,7 +19,7 @@ inline std::string stock_config() {
 
 /// A file of this folder.
 inline std::string test_config(const std::string& name) {
-  return std::string(SLALOM_TEST_FOLDER) + "/" + name;
+  return kSource + "/tests/adapters/mrpt_nav/" + name;
 }
 
 /// Creates the method of a section [method.nav] with these lines.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "navigator_fixture.h"
+#include "places.h"
 
 #include <gtest/gtest.h>
 
 namespace slalom {
 namespace {
 
+const std::string kOwnNavigators = kBuild + "/lib/libown_navigators.so";
+const std::string kStraightHolonomic = kBuild + "/lib/libstraight_holonomic.so";
+
 std::string plugin_keys(const std::string& class_name) {
-  return "plugin = " + std::string(SLALOM_OWN_NAVIGATORS) + "\nclass = " + class_name + "\n";
+  return "plugin = " + kOwnNavigators + "\nclass = " + class_name + "\n";
 }
 
 testing::AssertionResult refuses_plugin(const std::string& keys, const std::string& where,
@@ -19,7 +23,7 @@ testing::AssertionResult refuses_plugin(const std::string& keys, const std::stri
 }
 
 TEST(NavigatorPlugin, ReachesTheGoal) {
-  const auto method = load_navigator("plugin = " + std::string(SLALOM_OWN_NAVIGATORS) + "\n");
+  const auto method = load_navigator("plugin = " + kOwnNavigators + "\n");
   const SimulationResult result = run_navigator(*method, navigator_room());
   EXPECT_EQ(result.outcome, Outcome::Success) << result.detail;
 }
@@ -52,10 +56,10 @@ TEST(NavigatorPlugin, ReceivesTheRobot) {
 TEST(NavigatorPlugin, RefusesUnknownClassesAndMissingFunctions) {
   EXPECT_TRUE(
       refuses_plugin(plugin_keys("Other"), ":4: [method.nav] class: ", {"plug-in", "'Other'"}));
-  const std::string library = SLALOM_STRAIGHT_HOLONOMIC;
-  EXPECT_TRUE(refuses_plugin(
-      "plugin = " + library + "\n", ":3: [method.nav] plugin: ",
-      {"'" + library + "' does not export slalom_make_navigator_v1()", "SLALOM_NAVIGATOR_EXPORT"}));
+  EXPECT_TRUE(
+      refuses_plugin("plugin = " + kStraightHolonomic + "\n", ":3: [method.nav] plugin: ",
+                     {"'" + kStraightHolonomic + "' does not export slalom_make_navigator_v1()",
+                      "SLALOM_NAVIGATOR_EXPORT"}));
   EXPECT_TRUE(
       refuses_plugin(plugin_keys("Ahead") + "record_navlog = " + testing::TempDir() + "no_log\n",
                      ":5: [method.nav] record_navlog: ", {"no such log", "trajectory generators"}));
@@ -64,7 +68,7 @@ TEST(NavigatorPlugin, RefusesUnknownClassesAndMissingFunctions) {
 // MRPT's navigators take holonomic methods, trajectory generators and more from such modules.
 TEST(NavigatorPlugin, ModulesOfMrptAreLoadedFirst) {
   EXPECT_NE(load_navigator_with(test_config("small_navigator.ini"),
-                                "modules = " + std::string(SLALOM_STRAIGHT_HOLONOMIC) + "\n"),
+                                "modules = " + kStraightHolonomic + "\n"),
             nullptr);
 }
 

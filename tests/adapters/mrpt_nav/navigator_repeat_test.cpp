@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "navigator_fixture.h"
+#include "places.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using Hashes = std::vector<std::string>;
 /// The same runs in another process.
 Hashes hashes_of_process(const std::string& config, int count, double max_time) {
   std::ostringstream command;
-  command << SLALOM_NAVIGATOR_RUNS << ' ' << config << ' ' << count << ' ' << max_time;
+  command << kPrograms << "/navigator_runs" << ' ' << config << ' ' << count << ' ' << max_time;
   FILE* pipe = popen(command.str().c_str(), "r");
   if (pipe == nullptr) return {};
   Hashes hashes;

@@ -2,6 +2,7 @@
 // The networks are linear (networks/make_networks.py): of the inputs x0, x1, ... the first output
 // is the sum of 2^i xi, the second the sum of i xi.
 #include "error_text.h"
+#include "places.h"
 
 #include <slalom/onnx/onnx_method.h>
 
@@ -11,6 +12,8 @@
 
 namespace slalom {
 namespace {
+
+const std::string kNetworks = kSource + "/tests/adapters/onnx/networks";
 
 /// Line 3 contains the model, further keys start at line 4.
 std::string section_for(const std::string& model, const std::string& keys = "") {
@@ -34,7 +37,7 @@ SensorModel sensor_with(int rays) {
 
 std::unique_ptr<Method> load(const std::string& ini_text, const RobotModel& robot,
                              const SensorModel& sensor) {
-  const IniFile ini = IniFile::from_text(ini_text, std::string(NETWORK_FOLDER) + "/campaign.ini");
+  const IniFile ini = IniFile::from_text(ini_text, kNetworks + "/campaign.ini");
   auto method = read_onnx_method(ini, "method.a")(robot, sensor);
   method->reset({});
   return method;
@@ -42,8 +45,8 @@ std::unique_ptr<Method> load(const std::string& ini_text, const RobotModel& robo
 
 testing::AssertionResult refuses(const std::string& ini_text, const std::string& where,
                                  std::initializer_list<std::string> words) {
-  return throws_error(ErrorKind::Usage, std::string(NETWORK_FOLDER) + "/campaign.ini:" + where,
-                      words, [&] { load(ini_text, {}, sensor_with(3)); });
+  return throws_error(ErrorKind::Usage, kNetworks + "/campaign.ini:" + where, words,
+                      [&] { load(ini_text, {}, sensor_with(3)); });
 }
 
 Command step(Method& method, const std::vector<float>& ranges) {
@@ -176,7 +179,7 @@ TEST(OnnxMethod, RefusesInputsThatDoNotFit) {
 }
 
 TEST(OnnxMethod, RefusesAnotherNumberOfOutputs) {
-  const std::string where = std::string(NETWORK_FOLDER) + "/campaign.ini:3: [method.a] model: ";
+  const std::string where = kNetworks + "/campaign.ini:3: [method.a] model: ";
   EXPECT_TRUE(throws_error(ErrorKind::Usage, where, {"has 3 outputs", "expected 2: v, w"}, [] {
     load(section_for("holonomic.onnx"), RobotModel(), sensor_with(4));
   }));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
+#include "places.h"
 
 #include <slalom/python/python_method.h>
 
@@ -11,6 +12,7 @@
 namespace slalom {
 namespace {
 
+const std::string kModules = kSource + "/tests/adapters/python/modules";
 constexpr double kPi = 3.14159265358979323846;
 
 /// Line 3 contains the module, line 4 the class, further keys start at line 5.
@@ -21,14 +23,14 @@ std::string section_for(const std::string& module, const std::string& name,
 
 std::unique_ptr<Method> load(const std::string& ini_text, const RobotModel& robot = {},
                              const SensorModel& sensor = {}) {
-  const IniFile ini = IniFile::from_text(ini_text, std::string(MODULE_FOLDER) + "/campaign.ini");
+  const IniFile ini = IniFile::from_text(ini_text, kModules + "/campaign.ini");
   return read_python_method(ini, "method.a")(robot, sensor);
 }
 
 testing::AssertionResult refuses(const std::string& ini_text, const std::string& where,
                                  std::initializer_list<std::string> words) {
-  return throws_error(ErrorKind::Usage, std::string(MODULE_FOLDER) + "/campaign.ini:" + where,
-                      words, [&] { load(ini_text); });
+  return throws_error(ErrorKind::Usage, kModules + "/campaign.ini:" + where, words,
+                      [&] { load(ini_text); });
 }
 
 std::unique_ptr<Method> load_echo(const std::string& answer, const std::string& keys = "",

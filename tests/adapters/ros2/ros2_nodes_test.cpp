@@ -3,6 +3,7 @@
 #include "error_text.h"
 #include "hurrying_clock.h"
 #include "navigating_node.h"
+#include "places.h"
 #include "private_network.h"
 #include "steering.h"
 #include "temporary_folder.h"
@@ -20,6 +21,13 @@
 
 namespace slalom {
 namespace {
+
+const std::string kDescribedPeer = kPrograms + "/ros2_described_peer";
+#ifdef WITH_FAST_PEER
+const std::string kFastPeer = kPrograms + "/ros2_fast_peer";
+#else
+const std::string kFastPeer;
+#endif
 
 /// The law of the nodes, in this process; `turn` (rad/m) is that of the measured velocity.
 class SteeringMethod : public Method {
@@ -111,7 +119,7 @@ class Ros2NodesTest : public testing::Test {
 };
 
 TEST_F(Ros2NodesTest, NodesOfBothMiddlewaresGiveTheTrajectoryOfTheirLawInThisProcess) {
-  for (const std::string peer : {CYCLONE_PEER, DESCRIBED_PEER, FAST_PEER})
+  for (const std::string& peer : {kCyclonePeer, kDescribedPeer, kFastPeer})
     for (const std::string type : {"", " --stamped"}) {
       if (peer.empty()) continue;  // there is no Fast DDS 2
       SCOPED_TRACE(peer + type);
@@ -120,7 +128,7 @@ TEST_F(Ros2NodesTest, NodesOfBothMiddlewaresGiveTheTrajectoryOfTheirLawInThisPro
 }
 
 TEST_F(Ros2NodesTest, BehindTheBarrierATimerNeverCommandsFromAnOlderScan) {
-  for (const std::string peer : {CYCLONE_PEER, FAST_PEER}) {
+  for (const std::string& peer : {kCyclonePeer, kFastPeer}) {
     if (peer.empty()) continue;
     SCOPED_TRACE(peer);
     const auto method = launch(peer + " --stamped --timer", "barrier = method\n");
@@ -134,7 +142,7 @@ TEST_F(Ros2NodesTest, BehindTheBarrierATimerNeverCommandsFromAnOlderScan) {
 }
 
 TEST_F(Ros2NodesTest, BehindTheBarrierANodeHasTheOdometryOfItsScan) {
-  const auto method = launch(CYCLONE_PEER " --odometry", "barrier = method\n");
+  const auto method = launch(kCyclonePeer + " --odometry", "barrier = method\n");
   const std::string expected = expected_hash(NavigatingNode::kTurn);
   EXPECT_NE(expected, expected_hash());
   for (int i = 0; i < 10; ++i) ASSERT_EQ(run(*method).trajectory.hash(), expected);
@@ -144,26 +152,26 @@ TEST_F(Ros2NodesTest, NodesOfNav2sLayoutsStartAndAreCountedByTheirNames) {
   const std::string keys = "restart = run\npublishers = 2\n";
   for (const std::string layout : {"humble", "jazzy"}) {
     SCOPED_TRACE(layout);
-    expect_equal_runs(*launch(CYCLONE_PEER " " + layout, keys));
-    expect_second_in_real_time(*launch(CYCLONE_PEER " " + layout, keys + "mode = realtime\n"));
+    expect_equal_runs(*launch(kCyclonePeer + " " + layout, keys));
+    expect_second_in_real_time(*launch(kCyclonePeer + " " + layout, keys + "mode = realtime\n"));
   }
-  if (!std::string(FAST_PEER).empty()) expect_equal_runs(*launch(FAST_PEER " humble"));
-  const auto humble = launch(CYCLONE_PEER " humble");
+  if (!kFastPeer.empty()) expect_equal_runs(*launch(kFastPeer + " humble"));
+  const auto humble = launch(kCyclonePeer + " humble");
   EXPECT_TRUE(mentions(run(*humble).detail,
                        {"/cmd_vel has 2 publishers (/behavior_server, /velocity_smoother), more "
                         "than publishers = 1"}));
-  expect_equal_runs(*launch(CYCLONE_PEER " jazzy"));
+  expect_equal_runs(*launch(kCyclonePeer + " jazzy"));
 }
 
 TEST_F(Ros2NodesTest, ANodeThatThinksForHalfACycleIsHeardInEveryMode) {
-  const auto method = launch(CYCLONE_PEER " --stamped thinks");
+  const auto method = launch(kCyclonePeer + " --stamped thinks");
   EXPECT_EQ(run(*method).trajectory.hash(), expected_hash());
   for (const auto& [id, count] : method->run_figures()) EXPECT_EQ(count, 0) << id;
-  expect_second_in_real_time(*launch(CYCLONE_PEER " thinks", "mode = realtime\n"));
+  expect_second_in_real_time(*launch(kCyclonePeer + " thinks", "mode = realtime\n"));
 }
 
 TEST_F(Ros2NodesTest, ANodeThatIsNamedTwiceIsAskedTwice) {
-  for (const std::string peer : {CYCLONE_PEER, FAST_PEER})
+  for (const std::string& peer : {kCyclonePeer, kFastPeer})
     if (!peer.empty())
       expect_equal_runs(*launch(peer + " --stamped --timer", "barrier = method, method\n"));
 }
@@ -181,7 +189,7 @@ TEST_F(Ros2NodesTest, ANodeGetsTheScanOfALaserAndItsPoseOnTheRobot) {
   EXPECT_NE(expected, expected_hash());
   const TemporaryFolder folder;
   const std::string path = folder / "transforms";
-  const auto method = make("launch = exec env TRANSFORMS_FILE=" + path + " " CYCLONE_PEER "\n",
+  const auto method = make("launch = exec env TRANSFORMS_FILE=" + path + " " + kCyclonePeer + "\n",
                            steady_seconds, sensor);
   do {
     EXPECT_EQ(run(*method, columns(), sensor).trajectory.hash(), expected);
@@ -192,22 +200,22 @@ TEST_F(Ros2NodesTest, ANodeGetsTheScanOfALaserAndItsPoseOnTheRobot) {
 }
 
 TEST_F(Ros2NodesTest, ABestEffortPublisherIsHeard) {
-  expect_equal_runs(*launch(CYCLONE_PEER " best_effort"));
+  expect_equal_runs(*launch(kCyclonePeer + " best_effort"));
 }
 
 TEST_F(Ros2NodesTest, MethodsInDomainsOfTheirOwnDoNotHearEachOther) {
-  const auto one = launch(CYCLONE_PEER), other = launch(CYCLONE_PEER " fast");
+  const auto one = launch(kCyclonePeer), other = launch(kCyclonePeer + " fast");
   expect_equal_runs(*one);
   expect_equal_runs(*other);
   expect_equal_runs(*one);
 }
 
 TEST_F(Ros2NodesTest, ProcessesAreStartedAnewForEachRunOnRequest) {
-  expect_equal_runs(*launch(CYCLONE_PEER, "restart = run\n"));
+  expect_equal_runs(*launch(kCyclonePeer, "restart = run\n"));
 }
 
 TEST_F(Ros2NodesTest, RunningNodesAreFoundByTheirDomain) {
-  const ExternalProcess node("exec " CYCLONE_PEER, {{"ROS_DOMAIN_ID", "77"}});
+  const ExternalProcess node("exec " + kCyclonePeer, {{"ROS_DOMAIN_ID", "77"}});
   const auto method = make("domain = 77\n");
   expect_equal_runs(*method);
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "my.ini", {"domain", "another worker", "77"},
@@ -230,7 +238,7 @@ TEST_F(Ros2NodesTest, EachFaultEndsItsRunWithItsOutcomeAndTheNextRunIsSound) {
               "barrier = method\n"}}) {
     SCOPED_TRACE(fault.name);
     HurryingClock clock;
-    const auto method = launch(CYCLONE_PEER " " + fault.name, fault.keys, clock);
+    const auto method = launch(kCyclonePeer + " " + fault.name, fault.keys, clock);
     HookedMethod hurried = hurry_from(*method, clock, 0.5);
     const SimulationResult result = run(hurried, faulty());
     EXPECT_EQ(result.outcome, fault.outcome) << result.detail;
@@ -240,23 +248,23 @@ TEST_F(Ros2NodesTest, EachFaultEndsItsRunWithItsOutcomeAndTheNextRunIsSound) {
 }
 
 TEST_F(Ros2NodesTest, StaleAndMissingCommandsAreCounted) {
-  const auto stale = launch(CYCLONE_PEER " --stamped stale");
+  const auto stale = launch(kCyclonePeer + " --stamped stale");
   run(*stale, faulty());
   EXPECT_GT(stale->run_figures().at("commands_stale"), 50);
-  const auto pauses = launch(CYCLONE_PEER " pauses", "patience = 0.02\n");
+  const auto pauses = launch(kCyclonePeer + " pauses", "patience = 0.02\n");
   run(*pauses, faulty());
   EXPECT_GT(pauses->run_figures().at("commands_missing"), 20);
 }
 
 TEST_F(Ros2NodesTest, CommandsBeyondTheSizeOfADatagramAreRead) {
   SteeringMethod local;
-  const auto method = launch(CYCLONE_PEER " --stamped huge");
+  const auto method = launch(kCyclonePeer + " --stamped huge");
   EXPECT_EQ(run(*method, faulty()).trajectory.hash(), run(local, faulty()).trajectory.hash());
 }
 
 TEST_F(Ros2NodesTest, TheLastOfSeveralCommandsForAScanCountsIfTheirNumberIsKnown) {
-  expect_equal_runs(*launch(CYCLONE_PEER " twice", "commands_per_cycle = 2\n"));
-  const auto unknown = launch(CYCLONE_PEER " twice");
+  expect_equal_runs(*launch(kCyclonePeer + " twice", "commands_per_cycle = 2\n"));
+  const auto unknown = launch(kCyclonePeer + " twice");
   EXPECT_TRUE(
       mentions(run(*unknown).detail,
                {"further commands on /cmd_vel followed an observation", "commands_per_cycle = 1"}));
@@ -268,7 +276,8 @@ TEST_F(Ros2NodesTest, NodesStayOnThisMachineByTheVariableOfTheirDistribution) {
   for (const char* one : {"ROS_LOCALHOST_ONLY", "ROS_AUTOMATIC_DISCOVERY_RANGE"}) unsetenv(one);
   const auto environment = [&](const char* distribution) {
     setenv("ROS_DISTRO", distribution, 1);
-    make("launch = env | grep -E 'ROS_(AUTO|LOCAL)' | sort > " + file + "; exec " CYCLONE_PEER "\n")
+    make("launch = env | grep -E 'ROS_(AUTO|LOCAL)' | sort > " + file + "; exec " + kCyclonePeer +
+         "\n")
         ->check();
     unsetenv("ROS_DISTRO");
     return read_file(file);
@@ -281,8 +290,7 @@ TEST_F(Ros2NodesTest, NodesStayOnThisMachineByTheVariableOfTheirDistribution) {
 TEST_F(Ros2NodesTest, ParametersAreSetInTheirTypesAndHaveEffect) {
   const TemporaryFolder folder;
   const std::string file = folder / "parameters.yaml";
-  const auto method = make("launch = cp $SLALOM_PARAMETERS " + file +
-                           " && exec " CYCLONE_PEER
+  const auto method = make("launch = cp $SLALOM_PARAMETERS " + file + " && exec " + kCyclonePeer +
                            "\n"
                            "parameter_set = method.speed=0; method.count=7; method.on=true; "
                            "method.label=a b\n");
@@ -293,24 +301,24 @@ TEST_F(Ros2NodesTest, ParametersAreSetInTheirTypesAndHaveEffect) {
   const SimulationResult result = run(*method);
   EXPECT_EQ(result.outcome, Outcome::Stuck) << result.detail;
   // The value that the node has by itself.
-  expect_equal_runs(*launch(CYCLONE_PEER, "parameter_set = method.speed=1\nrestart = run\n"));
+  expect_equal_runs(*launch(kCyclonePeer, "parameter_set = method.speed=1\nrestart = run\n"));
 }
 
 TEST_F(Ros2NodesTest, ParametersOfNodesOnFastDdsAreSet) {
-  if (std::string(FAST_PEER).empty()) GTEST_SKIP() << "there is no Fast DDS 2";
+  if (kFastPeer.empty()) GTEST_SKIP() << "there is no Fast DDS 2";
   const SimulationResult result =
-      run(*launch(FAST_PEER, "parameter_set = method.speed=0.5; method.speed=0\n"));
+      run(*launch(kFastPeer, "parameter_set = method.speed=0.5; method.speed=0\n"));
   EXPECT_EQ(result.outcome, Outcome::Stuck) << result.detail;
   EXPECT_TRUE(throws_error(
       ErrorKind::Usage, "my.ini:", {"parameter_set", "/method refuses speed = 3: it is beyond 1"},
-      [] { launch(FAST_PEER, "parameter_set = method.speed=3\n")->check(); }));
+      [] { launch(kFastPeer, "parameter_set = method.speed=3\n")->check(); }));
 }
 
 TEST_F(Ros2NodesTest, AQuestionWhoseFirstReplyIsLostOrLateIsAskedAgain) {
   const std::string lock = "barrier = method\nparameter_set = method.speed=0.5; method.speed=1\n";
-  expect_equal_runs(*launch(CYCLONE_PEER " loses", lock));
-  if (std::string(FAST_PEER).empty()) GTEST_SKIP() << "there is no Fast DDS 2";
-  expect_equal_runs(*launch(FAST_PEER " late", lock));
+  expect_equal_runs(*launch(kCyclonePeer + " loses", lock));
+  if (kFastPeer.empty()) GTEST_SKIP() << "there is no Fast DDS 2";
+  expect_equal_runs(*launch(kFastPeer + " late", lock));
 }
 
 TEST_F(Ros2NodesTest, AParameterThatANodeDoesNotTakeIsAnErrorWithItsReason) {
@@ -318,7 +326,7 @@ TEST_F(Ros2NodesTest, AParameterThatANodeDoesNotTakeIsAnErrorWithItsReason) {
                           const std::string& arguments = "") {
     return throws_error(ErrorKind::Usage, "my.ini:5: [method.a] parameter_set", words, [&] {
       const IniFile ini =
-          IniFile::from_text("[method.a]\nadapter = ros2\nlaunch = exec " CYCLONE_PEER " " +
+          IniFile::from_text("[method.a]\nadapter = ros2\nlaunch = exec " + kCyclonePeer + " " +
                                  arguments + "\nstartup_time = " + (set == "sped=1" ? "10" : "60") +
                                  "\nparameter_set = method." + set + "\n",
                              "my.ini");
@@ -350,20 +358,20 @@ TEST_F(Ros2NodesTest, WhatIsMissingAtTheStartIsNamed) {
   EXPECT_TRUE(refused("launch = exec sleep 100\nstartup_time = 0.3\n",
                       {"no reader of /scan_left, no reader of /scan_right"}));
   sensor.lasers.clear();
-  EXPECT_TRUE(refused("launch = exec " CYCLONE_PEER "\nstartup_time = 2\nbarrier = other\n",
+  EXPECT_TRUE(refused("launch = exec " + kCyclonePeer + "\nstartup_time = 2\nbarrier = other\n",
                       {"no node /other"}));
-  EXPECT_TRUE(refused("launch = exec " CYCLONE_PEER " wrong_type\n",
+  EXPECT_TRUE(refused("launch = exec " + kCyclonePeer + " wrong_type\n",
                       {"/cmd_vel has the type geometry_msgs::msg::dds_::PoseStamped_", "Twist"}));
   EXPECT_TRUE(refused("launch = exit 7\n", {"exit status 7"}));
 }
 
 TEST_F(Ros2NodesTest, ADomainThatAnotherProgramUsesIsPassedOver) {
-  const ExternalProcess stranger("exec " CYCLONE_PEER, {{"ROS_DOMAIN_ID", "42"}});
+  const ExternalProcess stranger("exec " + kCyclonePeer, {{"ROS_DOMAIN_ID", "42"}});
   {
     const auto waiting = make("domain = 42\n");  // until it is there
     EXPECT_EQ(run(*waiting).trajectory.hash(), expected_hash());
   }
-  expect_equal_runs(*launch(CYCLONE_PEER));
+  expect_equal_runs(*launch(kCyclonePeer));
 }
 
 }  // namespace

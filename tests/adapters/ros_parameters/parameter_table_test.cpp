@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
+
 #include <slalom/core/enum_names.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/read_file.h>
@@ -28,7 +30,7 @@ std::vector<std::string> keys_of(const std::string& section) {
   if (section == "robot") return keys_of<RobotModel>();
   if (section == "sensor") return keys_of<SensorModel>();
   if (section == "simulation") return keys_of<SimulationOptions>();
-  return IniFile::load(SLALOM_REACTIVE_FOLDER "/" + section + "/" + section + ".ini")
+  return IniFile::load(kReactiveAlgos + "/" + section + "/" + section + ".ini")
       .keys("method." + section);
 }
 
@@ -79,7 +81,7 @@ TEST(RosParameterTable, NoRowIsThereTwice) {
 
 TEST(RosParameterTable, IsThatOfTheDocument) {
   const std::string document =
-      read_text(SLALOM_DOCS "/nav2_parameters.md", "a document", kMaxConfigSize);
+      read_text(kDocs + "/nav2_parameters.md", "a document", kMaxConfigSize);
   for (const RosFamily family : enum_values<RosFamily>()) {
     const std::string section = "\n### " + to_string(family) + "\n\n" + markdown_table(family);
     EXPECT_NE(document.find(section), std::string::npos) << "docs/nav2_parameters.md has not\n"

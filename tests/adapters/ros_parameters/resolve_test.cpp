@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
+#include "places.h"
 
 #include <slalom/core/read_file.h>
 #include <slalom/robot/robot_model.h>
@@ -59,7 +60,7 @@ class RosParameters : public testing::Test {
 const std::string kDwb = "dwb_core::DWBLocalPlanner";
 const std::string kRpp = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController";
 const std::string kMppi = "nav2_mppi_controller::MPPIController";
-const std::string kAll = "[method.m]\nfrom = " ROS_PARAMETERS;
+const std::string kAll = "[method.m]\nfrom = " + kRosParameters;
 
 std::string value(const IniFile& ini, const std::string& section, const std::string& key) {
   return ini.get(section, key).value_or("(none)");
@@ -120,7 +121,7 @@ TEST_F(RosParameters, MppiTakesItsHorizonInControlPeriodsAndItsControlCostPerTem
 
 TEST_F(RosParameters, RobotsHaveTheFootprintOfTheCostmapAndTheLimitsOfTheController) {
   const RobotModel mppi =
-      read_robot_model(resolve("[robot]\nfrom = " ROS_PARAMETERS "/jazzy.yaml\n"));
+      read_robot_model(resolve("[robot]\nfrom = " + kRosParameters + "/jazzy.yaml\n"));
   EXPECT_EQ(mppi.shape().corners().size(), 4U);
   EXPECT_NEAR(mppi.radius, std::hypot(0.3, 0.2), 1e-12);
   EXPECT_EQ(mppi.max_v, 0.7);
@@ -130,7 +131,7 @@ TEST_F(RosParameters, RobotsHaveTheFootprintOfTheCostmapAndTheLimitsOfTheControl
   EXPECT_EQ(mppi.min_turning_radius, 0.3);
   EXPECT_TRUE(mppi.forward_only);
   const RobotModel dwb =
-      read_robot_model(resolve("[robot]\nfrom = " ROS_PARAMETERS "/humble.yaml\n"));
+      read_robot_model(resolve("[robot]\nfrom = " + kRosParameters + "/humble.yaml\n"));
   EXPECT_EQ(dwb.radius, 0.2);
   EXPECT_EQ(dwb.max_v, 0.6);
   EXPECT_FALSE(dwb.forward_only);
@@ -157,8 +158,8 @@ TEST_F(RosParameters, TheSensorSeesAsFarAsTheSourcesOfTheCostmap) {
 
 TEST_F(RosParameters, KeysOfTheIniOverrideTheFile) {
   const IniFile ini =
-      resolve(kAll + "/humble.yaml\nsim_time = 3\n[robot]\nradius = 0.3\nfrom = " ROS_PARAMETERS
-                     "/jazzy.yaml\n");
+      resolve(kAll + "/humble.yaml\nsim_time = 3\n[robot]\nradius = 0.3\nfrom = " + kRosParameters +
+              "/jazzy.yaml\n");
   EXPECT_EQ(value(ini, "method.m", "sim_time"), "3");
   EXPECT_EQ(value(ini, "robot", "radius"), "0.3");
   EXPECT_FALSE(ini.get("robot", "footprint"));
@@ -167,7 +168,7 @@ TEST_F(RosParameters, KeysOfTheIniOverrideTheFile) {
 
 TEST_F(RosParameters, TheIniHasNoTraceOfTheFile) {
   const std::string text =
-      resolve(kAll + "/humble.yaml\n[robot]\nfrom = " ROS_PARAMETERS "/humble.yaml\n")
+      resolve(kAll + "/humble.yaml\n[robot]\nfrom = " + kRosParameters + "/humble.yaml\n")
           .canonical_text();
   EXPECT_EQ(text.find("yaml"), std::string::npos) << text;
   EXPECT_EQ(text.find("from"), std::string::npos) << text;

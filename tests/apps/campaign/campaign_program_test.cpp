@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
+#include "places.h"
 
 #include <slalom/analysis/cell.h>
 #include <slalom/app/campaign_program.h>
@@ -307,7 +308,7 @@ class RosParameterCampaign : public CampaignProgram {
 
 TEST_F(RosParameterCampaign, ControllersOfNav2BecomeMethodsThatAcceptTheirParameters) {
   for (const char* name : {"/humble.yaml", "/jazzy.yaml"})
-    check(read_text(ROS_PARAMETERS + std::string(name), "parameters", kMaxConfigSize));
+    check(read_text(kRosParameters + std::string(name), "parameters", kMaxConfigSize));
   check(
       "A: {plugin: \"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\",\n"
       "  desired_linear_vel: 0.5, use_rotate_to_heading: false, use_collision_detection: false}\n");
@@ -329,7 +330,7 @@ TEST_F(RosParameterCampaign, ValuesThatTheMethodRefusesAreNamedWithTheirLine) {
 }
 
 TEST(TestBedNames, AreThoseOfTheHashesInTheDocumentation) {
-  std::istringstream lines(read_file(SLALOM_DOCS "/testbeds.md"));
+  std::istringstream lines(read_file(kDocs + "/testbeds.md"));
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line);) {
     const std::size_t hash = line.rfind("` | ") - 32;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
+
 #include <slalom/app/method_dependencies.h>
 #include <slalom/core/read_file.h>
 #include <slalom/io/result_file.h>
@@ -173,11 +175,10 @@ TEST_F(MethodDependencies, AreFoundInTheCurrentFolder) {
 }
 
 TEST_F(MethodDependencies, OfWhatSlalomContainsAreNone) {
-  EXPECT_EQ(keys_of("", {{"method.m.plugin", SLALOM_SHIPPED "/libslalom_follow_the_gap.so"}}),
-            Keys{});
+  EXPECT_EQ(keys_of("", {{"method.m.plugin", kFollowTheGap}}), Keys{});
   // Programs of Slalom are found by their own folder too, so PATH must not matter.
   const std::string before = std::getenv("PATH");
-  setenv("PATH", (SLALOM_PROGRAMS ":" + before).c_str(), 1);
+  setenv("PATH", (kPrograms + ":" + before).c_str(), 1);
   const Keys keys = keys_of("launch = exec slalom-lcm-method --plugin libx.so\n");
   setenv("PATH", before.c_str(), 1);
   EXPECT_EQ(keys, Keys{});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "places.h"
+
 #include <slalom/falsification/trial.h>
 #include <slalom/library/library_method.h>
 
@@ -8,7 +10,7 @@ namespace slalom {
 
 /// Follow-the-gap with a planted defect (plugins/planted.cpp).
 inline NamedMethod planted(const std::string& defect) {
-  return {defect == "none" ? "base" : defect, plugin(PLANTED_PLUGIN, {{"defect", defect}}), "test"};
+  return {defect == "none" ? "base" : defect, plugin(kPlantedMethod, {{"defect", defect}}), "test"};
 }
 
 /// A method with a planted defect; the one without is the witness.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_text.h"
 #include "measured_run.h"
+#include "places.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/random.h>
@@ -44,7 +45,7 @@ struct DocumentedMetric {
 
 /// The rows of the documentation's table of metrics.
 std::vector<DocumentedMetric> documented_metrics() {
-  std::ifstream file(SLALOM_DOCS "/definitions.md");
+  std::ifstream file(kDocs + "/definitions.md");
   std::vector<DocumentedMetric> metrics;
   std::string line;
   while (std::getline(file, line) && line != "## Metrics") continue;
