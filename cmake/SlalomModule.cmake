@@ -70,11 +70,12 @@ function(slalom_app NAME)
   install(FILES ${page}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
 endfunction()
 
-# slalom_test(NAME [COMPUTES] SOURCES ... DEPENDS module ... LIBRARIES target ...): a GoogleTest program, one per module, and one
-# test of ctest: a program with MRPT's libraries takes a while to start, so that one process for each test would take longer
-# than the tests. One test alone: build/release/bin/NAME --gtest_filter=SUITE.TEST.
+# slalom_test(NAME [COMPUTES] SOURCES ... DEPENDS module ... LIBRARIES target ... LONG test ...): a GoogleTest program, one per
+# module, and one test of ctest: a program with MRPT's libraries takes a while to start, so that one process for each test
+# would take longer than the tests. One test alone: build/release/bin/NAME --gtest_filter=SUITE.TEST. LONG are tests (patterns
+# of GoogleTest) with thousands of runs or samples of what others run less often: not under sanitizers.
 function(slalom_test NAME)
-  cmake_parse_arguments(TEST "COMPUTES" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "COMPUTES" "" "SOURCES;DEPENDS;LIBRARIES;LONG" ${ARGN})
   add_executable(${NAME} ${TEST_SOURCES})
   list(TRANSFORM TEST_DEPENDS PREPEND slalom_)
   target_link_libraries(${NAME} PRIVATE
@@ -91,4 +92,8 @@ function(slalom_test NAME)
   add_dependencies(${NAME} slalom_parts)  # which the programs that it starts may load
   add_test(NAME ${NAME} COMMAND ${NAME})
   set_tests_properties(${NAME} PROPERTIES TIMEOUT ${SLALOM_TEST_TIMEOUT})
+  if(SLALOM_SANITIZE AND TEST_LONG)
+    list(JOIN TEST_LONG : long)
+    set_tests_properties(${NAME} PROPERTIES ENVIRONMENT GTEST_FILTER=-${long})
+  endif()
 endfunction()
