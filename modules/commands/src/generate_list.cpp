@@ -29,7 +29,9 @@ CoverageSettings coverage_settings(const IniFile& ini, const GenerationOptions& 
                                    const MapLoader& load_map) {
   CoverageSettings settings;
   settings.seed = options.seed;
-  settings.robot_radius = read_robot_model(ini).radius;
+  const RobotModel robot = read_robot_model(ini);
+  settings.robot_radius = robot.radius;
+  settings.footprint = robot.turning_polygon();
   settings.sensor_range = read_options<SensorModel>(ini, "sensor").max_range;
   settings.resolution = read_options<SimulationOptions>(ini, "simulation").resolution;
   const auto section = read_options<ScenariosSection>(ini, "scenarios");

@@ -241,6 +241,31 @@ class LatticeSearch {
   std::priority_queue<Entry> queue_;
 };
 
+/// The shortest path of a disc of this radius, along which the robot drives: it turns in place
+/// where the path bends. nullopt if the disc has no path, or the robot touches something.
+std::optional<FootprintPath> along_disc_path(const World& world, const FootprintContact& contact,
+                                             double radius, const TPose2D& start,
+                                             const TPoint2D& goal, double margin) {
+  constexpr double kExcess = 1e-3;  // of the length: fewer turns on arcs
+  std::string reason;
+  const auto disc = shortest_disc_path(world.occupancy(), radius, TPoint2D(start), goal, reason);
+  if (!disc) return std::nullopt;
+  FootprintPath path;
+  path.poses.push_back(start);
+  for (const TPoint2D& next : to_polyline(*disc, world.occupancy(), kExcess)) {
+    const TPose2D at = path.poses.back();
+    const double length = distance_between(at, next);
+    if (length == 0) continue;
+    const double heading = math::atan2(next.y - at.y, next.x - at.x);
+    for (const TPose2D& pose : {TPose2D(at.x, at.y, heading), TPose2D(next.x, next.y, heading)}) {
+      if (!contact.is_free(path.poses.back(), pose, margin)) return std::nullopt;
+      path.poses.push_back(pose);
+    }
+    path.length += length;
+  }
+  return path;
+}
+
 }  // namespace
 
 std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
@@ -249,10 +274,17 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
   if (!shortest_disc_path(world.occupancy(), footprint.inscribed_radius(), TPoint2D(start), goal,
                           reason))
     return std::nullopt;
-  if (make_footprint_contact(world, footprint)->touches(start)) {
+  const auto contact = make_footprint_contact(world, footprint);
+  if (contact->touches(start)) {
     reason = "the robot touches an obstacle at the start";
     return std::nullopt;
   }
+  // Wider discs leave more room to turn.
+  const double least = footprint.half_width() + margin, most = footprint.enclosing_radius();
+  for (const double room : {0.02, 0.25, 0.5, 0.75})
+    if (auto path =
+            along_disc_path(world, *contact, least + room * (most - least), start, goal, margin))
+      return path;
   LatticeSearch search(world, footprint, start, goal, margin);
   std::optional<FootprintPath> path = search.run();
   if (!path)

@@ -147,6 +147,27 @@ TEST(FootprintPath, KeepsTheMarginForAnyShapeInAnyRoom) {
   EXPECT_GT(found, passable + 5) << "the shape finds more than its disc";
 }
 
+TEST(FootprintPath, IsThatOfADiscOfHalfItsWidthWhereThereIsRoom) {
+  Primitives block;
+  block.polygons = {{{{3.4, 2}, {4.6, 2}, {4.6, 6}, {3.4, 6}}}};
+  const World world(Scenario::continuous("block", {0, 0, 8, 8}, block, {1.2, 4.1, 1}, {6.8, 4.1}),
+                    0.05);
+  for (const char* text : {kRectangle, kRearAxle}) {
+    const Footprint footprint = Footprint::parse(text);
+    std::string reason;
+    const auto path = find_path(world, footprint, reason);
+    ASSERT_TRUE(path) << reason;
+    expect_valid(world, footprint, *path);
+    const auto length = [&](double radius) {
+      return shortest_disc_path(world.occupancy(), radius, {1.2, 4.1}, {6.8, 4.1}, reason)->length;
+    };
+    EXPECT_GT(path->length, length(footprint.half_width() + kMargin));
+    // No wider than a quarter of the way to the enclosing disc, and 0.1 % more of it.
+    EXPECT_LT(path->length, 1.001 * length(0.75 * (footprint.half_width() + kMargin) +
+                                           0.25 * footprint.enclosing_radius()));
+  }
+}
+
 TEST(FootprintPath, OfARoundPolygonIsThatOfTheDisc) {
   std::string corners;
   constexpr double kRadius = 0.3;

@@ -34,16 +34,24 @@ KnownPath find_path(const World& world, double robot_radius) {
   return found ? KnownPath{found->path, found->length, ""} : KnownPath{{}, 0, reason};
 }
 
-/// A path for a robot of this radius only crosses cells whose centers are free for the real robot.
+/// m, of a disc whose paths only cross cells whose centers are free for the robot's disc.
 double inflated_radius(double robot_radius, double resolution) {
   return robot_radius + 1.5 * resolution;
+}
+
+Footprint shape_of(const CoverageSettings& settings) {
+  return settings.footprint ? *settings.footprint : Footprint::disc(settings.robot_radius);
 }
 
 }  // namespace
 
 CandidateEvaluation::CandidateEvaluation(const CoveragePlan& plan, const CoverageSettings& settings,
                                          const CoverageBins& bins)
-    : plan_(plan), settings_(settings), bins_(bins), generators_(plan, settings.load_map) {
+    : plan_(plan),
+      settings_(settings),
+      bins_(bins),
+      shape_(shape_of(settings)),
+      generators_(plan, settings.load_map) {
   const CoverageOptions& o = plan.options;
   limits_ = {settings.robot_radius, settings.resolution, o.min_extent,
              o.max_extent,          o.min_distance,      static_cast<std::size_t>(o.max_obstacles)};
@@ -64,8 +72,7 @@ std::optional<Elite> CandidateEvaluation::evaluate(const Proposal& proposal,
   if (const double times = coarseness(*scenario); times > 1)
     return evaluate_large(world, times, proposal, archive);
   Elite elite;
-  if (!measure({world, world}, proposal, archive, elite) ||
-      !is_certified(world, settings_.robot_radius))
+  if (!measure({world, world}, proposal, archive, elite) || !is_certified(world))
     return std::nullopt;
   elite.sketch = sketch(world);
   return elite;
@@ -79,14 +86,14 @@ std::optional<Elite> CandidateEvaluation::evaluate_large(const World& world, dou
                                                          const CoverageArchive& archive) const {
   const World coarse(world.scenario(), settings_.resolution * times);
   Elite elite;
-  if (!measure({world, coarse}, proposal, archive, elite) ||
-      !is_certified(coarse, settings_.robot_radius))
+  if (!measure({world, coarse}, proposal, archive, elite) || !is_certified(coarse))
     return std::nullopt;
   elite.is_exact = false;
   if (!elite.bin || !archive.is_open(*elite.bin)) return elite;
   if (!measure({world, world}, proposal, archive, elite)) return std::nullopt;
-  if (!is_certified(coarse, inflated_radius(settings_.robot_radius, settings_.resolution)) &&
-      !is_certified(world, settings_.robot_radius))
+  const double inflated = inflated_radius(settings_.robot_radius, settings_.resolution);
+  std::string reason;
+  if (!slalom::is_certified(problem_in(coarse, inflated), reason) && !is_certified(world))
     return std::nullopt;
   elite.is_exact = true;
   elite.sketch = sketch(world);
@@ -145,16 +152,15 @@ bool CandidateEvaluation::within_limits(const Scenario& scenario) const {
 bool CandidateEvaluation::measure(const Models& models, const Proposal& proposal,
                                   const CoverageArchive& archive, Elite& elite) const {
   const PathSource path =
-      search_once([&] { return find_path(models.rest, settings_.robot_radius); });
+      search_once([&] { return find_path(models.rest, shape_.inscribed_radius()); });
   elite.values.resize(order_.size());
   elite.point.resize(order_.size());
   bool may_fit = true;
   double distance = 0;
   for (const std::size_t axis : order_) {
     const bool is_cheap = cost_of(plan_.axes[axis].id) == 0;
-    const DescriptorContext context{is_cheap ? models.cells : models.rest,
-                                    Footprint::disc(settings_.robot_radius), settings_.sensor_range,
-                                    path};
+    const DescriptorContext context{is_cheap ? models.cells : models.rest, shape_,
+                                    settings_.sensor_range, path};
     const Value value = descriptors_[axis]->compute(context);
     if (value.is_na()) return false;
     elite.values[axis] = {descriptors_[axis]->key(context), value};
@@ -171,12 +177,12 @@ bool CandidateEvaluation::measure(const Models& models, const Proposal& proposal
          distance < archive.max_distance(proposal.target);
 }
 
-bool CandidateEvaluation::is_certified(const World& world, double robot_radius) const {
-  const PlanningProblem problem = problem_in(world, robot_radius);
-  const double inflated = inflated_radius(robot_radius, world.occupancy().resolution());
+bool CandidateEvaluation::is_certified(const World& world) const {
+  const PlanningProblem problem = problem_in(world, settings_.robot_radius);
+  const double inflated = inflated_radius(settings_.robot_radius, world.occupancy().resolution());
   if (is_free(world, {problem.start, problem.goal}, inflated)) return true;
   std::string reason;
-  return slalom::is_certified(problem, reason);
+  return slalom::is_certified(world, settings_.robot_radius, settings_.footprint, reason);
 }
 
 }  // namespace slalom

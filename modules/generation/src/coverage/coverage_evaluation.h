@@ -47,11 +47,12 @@ class CandidateEvaluation {
                                       const CoverageArchive& archive) const;
   bool measure(const Models& models, const Proposal& proposal, const CoverageArchive& archive,
                Elite& elite) const;
-  bool is_certified(const World& world, double robot_radius) const;
+  bool is_certified(const World& world) const;
 
   const CoveragePlan& plan_;
   const CoverageSettings& settings_;
   const CoverageBins& bins_;
+  Footprint shape_;  ///< of the robot, for the descriptors
   OptionSampler generators_;
   MutationLimits limits_;
   std::vector<const Descriptor*> descriptors_;

@@ -52,6 +52,8 @@ class Proof {
   Proof(const CoverageBins& bins, std::size_t bin, const CoverageOptions& options,
         const CoverageSettings& settings)
       : bins_(bins), bin_(bin), options_(options), settings_(settings) {
+    radius_ = settings.footprint ? settings.footprint->inscribed_radius() : settings.robot_radius;
+    disc_ = settings.footprint ? "disc inscribed in the robot" : "robot";
     cell_ = std::max(settings.resolution, kMaxCellSize);
     side_ = options.max_extent + cell_;
     free_area_ = side_ * side_ * (1 - std::clamp(min_density(), 0.0, 1.0));
@@ -91,12 +93,12 @@ class Proof {
   }
 
   std::optional<std::string> of_density(double low) const {
-    const double limit = density_limit(settings_.robot_radius, options_.min_distance, side_);
+    const double limit = density_limit(radius_, options_.min_distance, side_);
     if (low <= limit + kRounding) return std::nullopt;
     return fmt::format(
-        "a robot of radius {} m with a path of {} m leaves at most {:.4f} of a workspace of {} m "
-        "for obstacles",
-        format_number(settings_.robot_radius), format_number(options_.min_distance), limit,
+        "a {} of radius {} m with a path of {} m leaves at most {:.4f} of a workspace of {} m for "
+        "obstacles",
+        disc_, format_number(radius_), format_number(options_.min_distance), limit,
         format_number(options_.max_extent));
   }
 
@@ -121,8 +123,8 @@ class Proof {
   }
 
   std::optional<std::string> of_bottleneck(double low, double high) const {
-    if (high < 2 * settings_.robot_radius - kRounding)
-      return fmt::format("the robot's diameter is {} m", format_number(2 * settings_.robot_radius));
+    if (high < 2 * radius_ - kRounding)
+      return fmt::format("the diameter of the {} is {:.6g} m", disc_, 2 * radius_);
     if (low > side_)
       return fmt::format("the workspace is at most {} m wide", format_number(options_.max_extent));
     return std::nullopt;
@@ -132,6 +134,8 @@ class Proof {
   std::size_t bin_;
   const CoverageOptions& options_;
   const CoverageSettings& settings_;
+  double radius_ = 0;      // m, of a disc in the robot
+  const char* disc_ = "";  // its name
   double cell_ = 0, side_ = 0, free_area_ = 0;
 };
 

@@ -35,13 +35,13 @@ bool is_certified(const PlanningProblem& problem, std::string& reason) {
   return false;
 }
 
-bool is_certified(const World& world, const GenerationSettings& settings, std::string& reason) {
+bool is_certified(const World& world, double robot_radius, const std::optional<Footprint>& polygon,
+                  std::string& reason) {
   constexpr double kMargin = 0.01;  // m, that methods need beyond what the shape needs
   const mrpt::math::TPose2D& start = world.scenario().start();
   const mrpt::math::TPoint2D& goal = world.scenario().goal();
-  if (is_certified({world, settings.robot_radius, {start.x, start.y}, goal}, reason)) return true;
-  return settings.footprint &&
-         find_footprint_path(world, *settings.footprint, start, goal, kMargin, reason);
+  if (is_certified({world, robot_radius, {start.x, start.y}, goal}, reason)) return true;
+  return polygon && find_footprint_path(world, *polygon, start, goal, kMargin, reason);
 }
 
 SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
@@ -54,7 +54,7 @@ SolvableWorld SolvableSearch::find(const std::string& name, const Draw& draw,
       auto world = std::make_unique<const World>(std::move(*candidate), settings_.resolution);
       if (starts_in_wall(*world))
         reason = "a person starts in a wall";
-      else if (is_certified(*world, settings_, reason))
+      else if (is_certified(*world, settings_.robot_radius, settings_.footprint, reason))
         return {std::move(world), attempt};
     }
     ++reasons[reason];

@@ -16,9 +16,10 @@ namespace slalom {
 /// safest path and no bottleneck width.
 bool is_certified(const PlanningProblem& problem, std::string& reason);
 
-/// The same for the robot. A polygon has a path if its enclosing disc has, or if
-/// find_footprint_path() finds one for the polygon.
-bool is_certified(const World& world, const GenerationSettings& settings, std::string& reason);
+/// The same for the robot. A polygon that rotates in place has a path if its enclosing disc, of
+/// `robot_radius`, has, or if find_footprint_path() finds one for the polygon.
+bool is_certified(const World& world, double robot_radius, const std::optional<Footprint>& polygon,
+                  std::string& reason);
 
 /// A certified scenario with its world model.
 struct SolvableWorld {

@@ -6,6 +6,7 @@
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/generation/coverage.h>
 #include <slalom/references/exact_shortest.h>
+#include <slalom/references/footprint_path.h>
 #include <slalom/scenario/grid_map.h>
 
 #include <gtest/gtest.h>
@@ -52,6 +53,33 @@ TEST(Coverage, FillsFeasibleBinsWithCertifiedScenarios) {
     EXPECT_TRUE(
         exact_shortest_path({world, 0.25, {start.x, start.y}, covered.scenario.goal()}, reason))
         << covered.scenario.name() << ": " << reason;
+  }
+}
+
+TEST(Coverage, FillsBinsInWhichAPolygonHasAPathAndItsEnclosingDiscHasNone) {
+  const Footprint rectangle = Footprint::parse("0.42,0.21; -0.42,0.21; -0.42,-0.21; 0.42,-0.21");
+  CoverageSettings settings;
+  settings.footprint = rectangle;
+  settings.robot_radius = rectangle.enclosing_radius();
+  const auto result = cover(plan_of(kSmall + "descriptors = bottleneck_width\nper_bin = 3\n"
+                                             "edges.bottleneck_width = 0.3, 0.4, 0.6, 0.9\n"),
+                            settings, *make_silent_progress());
+  ASSERT_EQ(result.bins.size(), 3U);
+  EXPECT_EQ(result.bins[0].reason, "the diameter of the disc inscribed in the robot is 0.42 m");
+  EXPECT_EQ(result.bins[1].verdict, BinVerdict::Full);
+  EXPECT_EQ(result.bins[2].verdict, BinVerdict::Full);
+  for (const CoveredScenario& covered : result.scenarios) {
+    const Scenario& scenario = covered.scenario;
+    const World world(scenario, settings.resolution);
+    EXPECT_EQ(descriptor("bottleneck_width").compute({world, rectangle, 8.0, {}}),
+              covered.values[0].value);
+    std::string reason;
+    EXPECT_TRUE(
+        find_footprint_path(world, rectangle, scenario.start(), scenario.goal(), 0.01, reason))
+        << reason;
+    EXPECT_FALSE(exact_shortest_path({world, rectangle.enclosing_radius() + 0.01,
+                                      mrpt::math::TPoint2D(scenario.start()), scenario.goal()},
+                                     reason));
   }
 }
 

@@ -54,9 +54,11 @@ CoveragePlan read_coverage_plan(const IniFile& ini, const std::vector<std::strin
 /// Seed, robot, sensor and number of threads of a coverage run.
 struct CoverageSettings {
   std::uint64_t seed = 1;
-  double robot_radius = 0.25;  ///< m
-  double sensor_range = 8;     ///< m
-  double resolution = 0.05;    ///< m
+  double robot_radius = 0.25;  ///< m, of the disc, or of the enclosing disc of a polygon
+  /// A polygon that rotates in place, as in GenerationSettings; values are those of its shape.
+  std::optional<Footprint> footprint = std::nullopt;
+  double sensor_range = 8;   ///< m
+  double resolution = 0.05;  ///< m
   int jobs = 1;
   MapLoader load_map = {};
   WalkerOptions walkers = {};  ///< added to each candidate without a parent

@@ -24,8 +24,9 @@ struct FootprintPath {
 /// half width from the goal, with any heading. nullopt with `reason` if none was found: that is no
 /// proof that there is none, unless a disc in the robot has no path.
 ///
-/// Method: weighted A* on a lattice of positions around the start and 32 directions from one of
-/// them to others, guided by distances among cells that are wide enough for half the width.
+/// Method: shortest paths of discs of half the width and more, driven along; where the robot does
+/// not pass on them, weighted A* on a lattice of positions around the start and 32 directions from
+/// one of them to others, guided by distances among cells that are wide enough for half the width.
 std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
                                                  const mrpt::math::TPose2D& start,
                                                  const mrpt::math::TPoint2D& goal, double margin,
