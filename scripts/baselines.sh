@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Makes the tables of docs/baselines-*.md again, as Markdown: scripts/baselines.sh FOLDER [PAGE...]
-# PAGE is barn, slalom-small, slalom-standard, slalom-dynamic-small or slalom-dynamic-standard; all by default. The
-# tables are written to FOLDER/PAGE.md. Environment variables: BARN, the folder of that data set; METHODS, a list with
-# commas (those of configs/baselines.ini by default); JOBS, the number of workers (2).
+# PAGE is barn, slalom-small, slalom-standard, slalom-rectangle, slalom-dynamic-small or slalom-dynamic-standard; all
+# by default. The tables are written to FOLDER/PAGE.md. Environment variables: BARN, the folder of that data set;
+# METHODS, a list with commas (those of configs/baselines.ini by default); JOBS, the number of workers (2).
 # Each method has its own result file in FOLDER/PAGE, which is used again if it is complete: a new method costs its own
 # runs only. Delete the files of methods that have changed. Beside each is its bundle, an entry of a registry.
 set -euo pipefail
 [ $# -ge 1 ] || { sed -n '3,8s/^# //p' "$0" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 folder=$1 pages=("${@:2}")
-[ ${#pages[@]} -gt 0 ] || pages=(barn slalom-small slalom-standard slalom-dynamic-small slalom-dynamic-standard)
+[ ${#pages[@]} -gt 0 ] ||
+  pages=(barn slalom-small slalom-standard slalom-rectangle slalom-dynamic-small slalom-dynamic-standard)
 bin=${SLALOM_BIN:-build/release/bin}
 all_methods=$(sed -n 's/^methods *= *//p' configs/baselines.ini)
 tracked=rollout_tracks # only for scenarios with movers
@@ -76,6 +77,10 @@ for page in "${pages[@]}"; do
       options=(--set robot.radius=0.21 --set robot.max_v=0.5 --set robot.max_w=1.57)
       options+=(--set simulation.goal_tolerance=1 --set method.dwa_ros.inflation_radius=0.3)
       bins="density:4; clearness:4; confinement:4"
+      ;;
+    slalom-rectangle)
+      options=(--set "robot.footprint=$(sed -n 's/^footprint = *\([^#]*[^# ]\) *#.*/\1/p' "configs/testbeds/$page.ini")")
+      bins="bottleneck_width:0.42,0.51,0.6,0.69,0.78,0.87; confinement:0.7,0.8,0.9,1; detour_ratio:1,1.3,3"
       ;;
     slalom-dynamic-*)
       [ -n "${METHODS:-}" ] || methods="$tracked, $methods"

@@ -10,6 +10,7 @@ std::string testbed_of(const std::string& content_hash) {
       {"04203288f4478c5641527e24e4f2f53f", "slalom-small"},
       {"6934782a5776f93e3c050b26f5253d54", "slalom-standard"},
       {"d71632dc42d49be706b307f587fda453", "slalom-hard"},
+      {"781fc195933be852b9d74276e5446500", "slalom-rectangle"},
       {"474415ec00c67a72a8732242617f91bc", "slalom-dynamic-small"},
       {"85b9a6e83713cdb1b9bf4d92d961e5b0", "slalom-dynamic-standard"},
       {"776314bdffac0b913dc5f10a7eb14cfa", "slalom-people-small"},

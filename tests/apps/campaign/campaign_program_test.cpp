@@ -338,7 +338,7 @@ TEST(TestBedNames, AreThoseOfTheHashesInTheDocumentation) {
     EXPECT_EQ(testbed_of(line.substr(hash, 32)), line.substr(3, line.find('`', 3) - 3)) << line;
     ++count;
   }
-  EXPECT_EQ(count, 8U);
+  EXPECT_EQ(count, 9U);
   EXPECT_EQ(testbed_of(std::string(32, '0')), "");
 }
 
