@@ -8,7 +8,7 @@ import sys
 try:
     from catkin_pkg.package import parse_package
 except ImportError:
-    print("needs the package python3-catkin-pkg")
+    print("Skipped: needs the package python3-catkin-pkg")
     sys.exit(77)
 
 source = pathlib.Path(sys.argv[1])
