@@ -22,8 +22,10 @@ for program in ("curl", "zstd"):
         sys.exit(77)
 
 BIN = pathlib.Path(os.environ["SLALOM_BIN"])
-FOLDER = pathlib.Path(sys.argv[1]) / "examples" / "ci"
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+FOLDER = SOURCE / "examples" / "ci"
 ACTION = yaml.safe_load((FOLDER / "action.yml").read_text())
+METHOD = SOURCE / "examples" / "library_method" / "my_method.c"
 CAMPAIGN = """[campaign]
 methods = planner
 [scenarios]
@@ -31,14 +33,15 @@ generator = random
 count = 12
 [method.planner]
 adapter = library
-plugin = libslalom_follow_the_gap.so
+plugin = planner.so
 """
 
 
 def archive_of(folder):
-    """An archive whose programs are those of the build."""
+    """An archive whose programs are those of the build, with the header for methods."""
     programs = folder / "slalom-0.1.0-x86_64" / "bin"
-    programs.mkdir(parents=True)
+    shutil.copytree(SOURCE / "modules" / "methods" / "include", programs.parent / "include")
+    programs.mkdir()
     for name in ("slalom-evaluate", "slalom-analyze"):
         (programs / name).write_text(f'#!/bin/sh\nexec "{BIN / name}" "$@"\n')
         (programs / name).chmod(0o755)
@@ -53,7 +56,7 @@ def play(inputs, folder):
     missing = [name for name, text in ACTION["inputs"].items() if text.get("required") and not values[name]]
     assert not missing and values.keys() == ACTION["inputs"].keys(), (missing, values)
     path, summary = folder / "path", folder / "summary"
-    (folder / "temp").mkdir()
+    (folder / "temp").mkdir(parents=True)
     path.touch()
     for step in ACTION["runs"]["steps"]:
         if "uses" in step:  # keeps a folder, whatever happened
@@ -73,28 +76,31 @@ def play(inputs, folder):
 
 with tempfile.TemporaryDirectory() as temporary:
     root = pathlib.Path(temporary)
-    (root / "released.ini").write_text(CAMPAIGN)
-    subprocess.run([BIN / "slalom-evaluate", "released.ini", "-o", "released", "--quiet"], cwd=root, check=True,
-                   stdout=subprocess.DEVNULL)
     inputs = {"archive": archive_of(root), "campaign": "planner.ini", "method": "planner",
-              "released": str(root / "released" / "runs.results"), "gates": "success >= -0.02\nsafety >= -0.05\n"}
+              "build": f'cc -O2 -shared -fPIC -I"$SLALOM"/include -o planner.so "{METHOD}" -lm',
+              "released": str(root / "released" / "slalom" / "runs.results"),
+              "gates": "success >= -0.02\nsafety >= -0.05\n"}
+    folders = {}
+    for name, keys in {"released": "", "same": "", "worse": "look_ahead = 0.05\n"}.items():
+        folders[name] = root / name
+        folders[name].mkdir()
+        (folders[name] / "planner.ini").write_text(CAMPAIGN + keys)
+    failed, text = play(inputs, folders["released"])
+    assert failed is None, (failed, text)  # compared with itself
 
-    same = root / "same"
-    same.mkdir()
-    (same / "planner.ini").write_text(CAMPAIGN)
+    same = folders["same"]
     failed, text = play(inputs, same)
     assert failed is None, (failed, text)
-    assert "gate success >= -0.02" in text and "gate safety >= -0.05" in text and "failed" not in text, text
+    assert "gate success >= -0.02" in text and "gate safety >= -0.05" in text and "FAILED" not in text, text
     badge = json.loads((same / "slalom" / "badge.json").read_text())
     assert badge["schemaVersion"] == 1 and re.fullmatch(r"[01]\.\d\d \[[01]\.\d\d, [01]\.\d\d\]", badge["message"]), badge
     assert (same / "slalom" / "report" / "index.html").exists()
 
-    worse = root / "worse"
-    worse.mkdir()
-    (worse / "planner.ini").write_text(CAMPAIGN + "margin = 3\n")  # of 3 m: no gap is wide enough
-    failed, text = play(inputs, worse)
-    assert failed == "Gate" and "failed" in text, (failed, text)
-    assert json.loads((worse / "slalom" / "badge.json").read_text())["message"].startswith("0.00"), text
+    failed, text = play(inputs, folders["worse"])
+    assert failed == "Gate" and "FAILED" in text, (failed, text)
+
+    failed, text = play(inputs | {"build": "cc no_such_file.c"}, root / "unbuilt")
+    assert failed == "Build" and "no_such_file.c" in text, (failed, text)
 
 # The workflow gives the inputs that the action has.
 workflow = yaml.safe_load((FOLDER / "workflow.yml").read_text())
