@@ -241,18 +241,15 @@ class LatticeSearch {
   std::priority_queue<Entry> queue_;
 };
 
-/// The shortest path of a disc of this radius, along which the robot drives: it turns in place
-/// where the path bends. nullopt if the disc has no path, or the robot touches something.
-std::optional<FootprintPath> along_disc_path(const World& world, const FootprintContact& contact,
-                                             double radius, const TPose2D& start,
-                                             const TPoint2D& goal, double margin) {
+/// The path of a disc, along which the robot drives: it turns in place where the path bends.
+/// nullopt if the robot touches something.
+std::optional<FootprintPath> along(const DiscPath& disc, const Occupancy& cells,
+                                   const FootprintContact& contact, const TPose2D& start,
+                                   double margin) {
   constexpr double kExcess = 1e-3;  // of the length: fewer turns on arcs
-  std::string reason;
-  const auto disc = shortest_disc_path(world.occupancy(), radius, TPoint2D(start), goal, reason);
-  if (!disc) return std::nullopt;
   FootprintPath path;
   path.poses.push_back(start);
-  for (const TPoint2D& next : to_polyline(*disc, world.occupancy(), kExcess)) {
+  for (const TPoint2D& next : to_polyline(disc, cells, kExcess)) {
     const TPose2D at = path.poses.back();
     const double length = distance_between(at, next);
     if (length == 0) continue;
@@ -281,10 +278,13 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
   }
   // Wider discs leave more room to turn.
   const double least = footprint.half_width() + margin, most = footprint.enclosing_radius();
-  for (const double room : {0.02, 0.25, 0.5, 0.75})
-    if (auto path =
-            along_disc_path(world, *contact, least + room * (most - least), start, goal, margin))
-      return path;
+  for (const double room : {0.02, 0.25, 0.5, 0.75}) {
+    std::string no_path;
+    const auto disc = shortest_disc_path(world.occupancy(), least + room * (most - least),
+                                         TPoint2D(start), goal, no_path);
+    if (!disc) break;  // nor has a wider one
+    if (auto path = along(*disc, world.occupancy(), *contact, start, margin)) return path;
+  }
   LatticeSearch search(world, footprint, start, goal, margin);
   std::optional<FootprintPath> path = search.run();
   if (!path)

@@ -53,7 +53,6 @@ class Proof {
         const CoverageSettings& settings)
       : bins_(bins), bin_(bin), options_(options), settings_(settings) {
     radius_ = settings.footprint ? settings.footprint->inscribed_radius() : settings.robot_radius;
-    disc_ = settings.footprint ? "disc inscribed in the robot" : "robot";
     cell_ = std::max(settings.resolution, kMaxCellSize);
     side_ = options.max_extent + cell_;
     free_area_ = side_ * side_ * (1 - std::clamp(min_density(), 0.0, 1.0));
@@ -96,10 +95,10 @@ class Proof {
     const double limit = density_limit(radius_, options_.min_distance, side_);
     if (low <= limit + kRounding) return std::nullopt;
     return fmt::format(
-        "a {} of radius {} m with a path of {} m leaves at most {:.4f} of a workspace of {} m for "
-        "obstacles",
-        disc_, format_number(radius_), format_number(options_.min_distance), limit,
-        format_number(options_.max_extent));
+        "a robot {} radius {} m with a path of {} m leaves at most {:.4f} of a workspace of {} m "
+        "for obstacles",
+        settings_.footprint ? "with an inscribed disc of" : "of", format_number(radius_),
+        format_number(options_.min_distance), limit, format_number(options_.max_extent));
   }
 
   std::optional<std::string> of_clearness(double low) const {
@@ -124,7 +123,9 @@ class Proof {
 
   std::optional<std::string> of_bottleneck(double low, double high) const {
     if (high < 2 * radius_ - kRounding)
-      return fmt::format("the diameter of the {} is {:.6g} m", disc_, 2 * radius_);
+      return fmt::format("the diameter of the {} is {:.6g} m",
+                         settings_.footprint ? "disc inscribed in the robot" : "robot",
+                         2 * radius_);
     if (low > side_)
       return fmt::format("the workspace is at most {} m wide", format_number(options_.max_extent));
     return std::nullopt;
@@ -134,8 +135,7 @@ class Proof {
   std::size_t bin_;
   const CoverageOptions& options_;
   const CoverageSettings& settings_;
-  double radius_ = 0;      // m, of a disc in the robot
-  const char* disc_ = "";  // its name
+  double radius_ = 0;  // m, of a disc in the robot
   double cell_ = 0, side_ = 0, free_area_ = 0;
 };
 
