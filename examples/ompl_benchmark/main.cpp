@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   ompl::tools::Benchmark::Request request(/*maxTime=*/0.2, /*maxMem=*/1000, /*runCount=*/3);
   request.displayProgress = false;
   request.saveConsoleOutput = false;
+  request.simplify = false;  // which would not always end with a path that touches obstacles
   benchmark.benchmark(request);
   benchmark.saveResultsToFile(argc > 1 ? argv[1] : "ompl_benchmark.log");
 
