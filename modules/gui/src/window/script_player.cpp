@@ -17,6 +17,8 @@ using nanogui::Vector2f;
 
 constexpr double kMaxWait = 300;                         // s for jobs to end
 constexpr double kStableTime = 0.1, kMaxResizeWait = 5;  // s
+/// s between frames while a script waits: a job that ends posts an event.
+constexpr double kWaitInterval = 0.1;
 constexpr int kDragSteps = 6;
 constexpr float kDragAmplitude = 60;  // pixels, of `fps`
 
@@ -66,6 +68,8 @@ class ScriptPlayer {
     }
     if (pending_moves_.empty() && frames_left_ == 0) ++next_;
   }
+  /// For jobs, or for what they show.
+  bool waits() const { return wait_start_ >= 0; }
   bool ended() const { return next_ == script_.size() && pending_moves_.empty(); }
 
  private:
@@ -256,7 +260,10 @@ void play_script(const std::vector<ScriptCommand>& script, const std::string& na
   ScriptPlayer player(script, name, host);
   while (!player.ended() && host.draw_frame()) {
     player.step();
-    glfwPollEvents();
+    if (player.waits())
+      glfwWaitEventsTimeout(kWaitInterval);
+    else
+      glfwPollEvents();
   }
 }
 
