@@ -8,7 +8,7 @@ set(package_of_documentation slalom-doc)
 
 # The contents of packages, without the tests.
 get_property(apps GLOBAL PROPERTY SLALOM_APPS)
-add_custom_target(packaged DEPENDS slalom_reactive_methods ${apps})
+add_custom_target(packaged DEPENDS slalom_reactive_methods slalom_parts ${apps})
 if(NOT SLALOM_SANITIZE)
   list(TRANSFORM apps APPEND -man)
   add_dependencies(packaged slalom_extension ${apps})
