@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Packs the finished release build with all libraries that it needs, for any Linux with the glibc of this computer or a
-# newer one: scripts/archive.sh
+# Packs the finished release build with all libraries that it needs, for any Linux with the glibc that it prints or a newer
+# one: scripts/archive.sh
 # Writes build/release/slalom-VERSION-x86_64.tar.zst: one folder with the programs, the shipped methods, the Python package,
-# a Python with NumPy for methods in Python, and the licenses of all of them. Needs the packages patchelf and zstd.
+# a Python with NumPy for methods in Python, and the licenses of all of them. Needs the packages binutils, patchelf and zstd.
 set -euo pipefail
 cd "$(dirname "$0")/.." && source scripts/bundle.sh
 [ "${1:-}" != --help ] || { sed -n '3,/^set /{/^set /d; s/^# \{0,1\}//; p}' scripts/archive.sh && exit 0; }
@@ -16,5 +16,5 @@ mkdir "$work/$name"
 bundle_stage "$work/$name"
 tar -C "$work" --sort=name --mtime="@$(bundle_time)" --owner=0 --group=0 --numeric-owner -c "$name" |
   zstd -19 --long=27 -T2 -q -f -o "build/release/$name.tar.zst"
-echo "$(du -sm "$work/$name" | cut -f1) MB unpacked"
+echo "$(du -sm "$work/$name" | cut -f1) MB unpacked, glibc 2.$(bundle_glibc "$work/$name")"
 ls -l "build/release/$name.tar.zst"

@@ -9,7 +9,7 @@ bundle_refuse() {
 # Fails unless the finished release build and the tools are there.
 bundle_require() {
   local tool
-  for tool in dpkg patchelf "$@"; do
+  for tool in dpkg patchelf objdump "$@"; do
     command -v "$tool" >/dev/null || bundle_refuse "needs the package $tool"
   done
   [ -x build/release/bin/slalom-evaluate ] ||
@@ -37,7 +37,7 @@ bundle_python() {
   mkdir -p "$home/python$version" "$home/python3/dist-packages"
   tar -C "/usr/lib/python$version" --exclude=__pycache__ --exclude='./config-*' --exclude=./dist-packages \
     --exclude=./sitecustomize.py --exclude=./idlelib --exclude=./tkinter --exclude=./ensurepip --exclude=./lib2to3 \
-    --exclude=./pydoc_data --exclude=./test -c . | tar -C "$home/python$version" -x
+    --exclude=./pydoc_data --exclude=./test --exclude='./lib-dynload/nis.*' -c . | tar -C "$home/python$version" -x
   tar -C /usr/lib/python3/dist-packages --exclude=__pycache__ --exclude=tests --exclude='*.a' --exclude='*.h' \
     -c numpy | tar -C "$home/python3/dist-packages" -x
   printf '%s\n' "libpython$version-stdlib" "libpython$version-minimal" python3-numpy
@@ -54,6 +54,22 @@ bundle_method_interface() {
   rm -rf "$all"
 }
 
+# The oldest glibc, as the number after "2.", with which all programs and libraries below a folder load.
+bundle_glibc() {
+  bundle_binaries "$1" | xargs -0 objdump -T 2>/dev/null | grep -oP '\(GLIBC_2\.\K[0-9]+' | sort -nu | tail -1
+}
+
+# Lets the libraries in a folder load with glibc 2.35, as in Ubuntu 22.04: some use a function that 2.36 has brought.
+bundle_older_glibc() {
+  local file name=libslalom_arc4random.so.1
+  cc -O2 -Wall -Werror -shared -fPIC -Wl,-soname,$name scripts/arc4random.c -o "$1/$name"
+  for file in "$1"/*.so*; do
+    objdump -T "$file" | grep 'GLIBC_2\.36) arc4random_buf$' >/dev/null || continue
+    patchelf --add-needed $name "$file"
+    scripts/older_glibc.py "$file" arc4random_buf >/dev/null
+  done
+}
+
 # Installs the programs and the Python package in the empty folder STAGE with all libraries that they need. Left to the
 # system are glibc, and the libraries of GCC, which drivers of graphics of newer systems need in their own version.
 bundle_stage() {
@@ -66,6 +82,7 @@ bundle_stage() {
   mkdir -p "$bundled" "$licenses"
   rm -f "$stage"/lib*/slalom/runtime/libopencv_imgcodecs.so* # of the name of a library that is bundled
   bundle_python "$stage" >"$stage/packages"
+  echo mrpt-common >>"$stage/packages" # of the maps of the demo
   while IFS= read -r -d '' file; do
     ldd "$file" | awk -v file="$file" '/not found/ {print "!", file; next} $2 == "=>" {print $1, $3}'
   done < <(bundle_binaries "$stage") | sort -u >"$stage/libraries"
@@ -79,6 +96,7 @@ bundle_stage() {
     [ "$package" ] || bundle_refuse "$path: is of no Debian package; expected one, with its license"
     echo "$package" >>"$stage/packages"
   done <"$stage/libraries"
+  bundle_older_glibc "$bundled"
   while IFS= read -r -d '' file; do
     patchelf --set-rpath "\$ORIGIN/$(realpath --relative-to="$(dirname "$file")" "$bundled")" "$file"
   done < <(bundle_binaries "$stage")

@@ -1,15 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Unpacks the archive of scripts/archive.sh in a new system below /tmp, without installing any package there, and runs
-# campaigns as an ordinary user:
+# Unpacks the archive of scripts/archive.sh in a new system below /tmp and uses it as an ordinary user:
 #   scripts/check_archive.sh [SUITE [ARCHIVE [MIRROR]]]
+# SUITE is the code name of a release of Debian, default trixie (Debian 13), or of Ubuntu, jammy (22.04), noble (24.04) or
+# resolute (26.04). ARCHIVE is by default that of build/release, MIRROR that of the distribution; Ubuntu's signatures are
+# checked only where its keyring is installed. The folder has a space in its name.
+# Without any package installed there: the demo, the first campaign of the README with its report, a method in Python, a
+# neural network, a process by LCM; the values of the runs of follow_the_gap in the demo are printed as a hash, which is
+# that of all systems. Then, with a compiler and Xvfb of that system: the methods of the tutorial and of examples/library_method
+# in C++ and C, and Slalom Studio. Nothing is left when the folder is removed.
 # Environment variables: BUNDLES, a folder with bundles that are verified there, such as FOLDER/slalom-standard of
 # scripts/baselines.sh FOLDER; FRACTION, the part of their scenarios (0.02).
-# SUITE is the code name of a release of Debian, default trixie (Debian 13), or of Ubuntu, noble (24.04) or resolute (26.04).
-# ARCHIVE is by default that of build/release, MIRROR that of the distribution; Ubuntu's signatures are checked only where
-# its keyring is installed. The folder has a space in its name. Checked are the first campaign of the README with its
-# report, a method in Python, tables and the help of a program. Runs as root; needs the packages debootstrap (for Debian,
-# or mmdebstrap), util-linux and zstd. Not part of scripts/test.sh, as it downloads a system.
+# Runs as root; needs the packages debootstrap (for Debian, or mmdebstrap), iproute2, util-linux and zstd. Not part of
+# scripts/test.sh, as it downloads a system.
+# shellcheck disable=SC2016  # the commands of try and of expect_runs are expanded in the new system
 set -euo pipefail
 sources=$(dirname "$(dirname "$(realpath "$0")")")
 source "$sources/scripts/chroot.sh"
@@ -27,29 +31,67 @@ start=$SECONDS
 as_user mkdir "/home/user/my programs" /home/user/work
 zstd -dcq "$archive" | as_user tar -C "/home/user/my programs" -x
 echo "== unpacked in $(since $start): $(du -sm "$home/my programs" | cut -f1) MB"
-missing=$(as_user sh -c 'for file in "/home/user/my programs"/slalom-*/bin/*; do ldd "$file" | grep "not found"; done' || true)
-[ -z "$missing" ] || { echo "missing libraries:"; sort -u <<<"$missing"; exit 1; }
+missing=$(as_user sh -c 'find "/home/user/my programs" -type f \( -path "*/bin/*" -o -name "*.so*" \) -exec ldd {} +' 2>&1 |
+  grep 'not found' || true)
+[ -z "$missing" ] || { echo "missing:"; sort -u <<<"$missing"; exit 1; }
 
-start=$SECONDS
+# Runs commands of sh with the programs on PATH, and prints how long they took: try NAME [COMMANDS OF THE CALL...]
+try() {
+  local start=$SECONDS name=$1 commands
+  commands=$(cat)
+  "${@:2}" as_user sh -euc 'SLALOM=$(echo "/home/user/my programs"/slalom-*)
+    PATH="$SLALOM/bin:$PATH"; cd /home/user/work; '"$commands"
+  echo "== $name in $(since $start)"
+}
+# Succeeds if the 20 runs of a campaign are there and its method never failed.
+expect_runs() { echo 'runs=$(slalom-analyze dump '"$1"'/runs.results); test "$(echo "$runs" | grep -c outcome)" -ge 20
+  ! echo "$runs" | grep -q "\"method_[a-z]*\""'; }
+
+try "the demo" <<<'slalom-evaluate --demo -j 2 --quiet >demo.txt; test -s slalom-demo/report/index.html
+  slalom-analyze dump slalom-demo/runs.results | grep follow_the_gap | sha256sum'
 readme_campaign "$sources" >"$home/work/my.ini"
-write_python_campaign "$home/work"
 # The method "mine" is the reader's own; one of the archive takes its place.
-as_user sh -c 'PATH="$(echo "/home/user/my programs"/slalom-*/bin):$PATH" && cd /home/user/work &&
-  slalom-evaluate my.ini -o out -j 2 --quiet --set method.mine.plugin=libslalom_follow_the_gap.so &&
-  test -s out/report/index.html && slalom-analyze summary out/runs.results && slalom-tune --help | head -3'
-echo "== the first campaign of the README in $(since $start)"
-start=$SECONDS
-as_user sh -c 'PATH="$(echo "/home/user/my programs"/slalom-*/bin):$PATH" && cd /home/user/work &&
-  slalom-evaluate python.ini -o python -j 2 --quiet && test -s python/report/index.html &&
-  slalom-analyze summary python/runs.results'
-echo "== a report about a method in ten lines of Python in $(since $start)"
+try "the first campaign of the README" <<<'slalom-evaluate my.ini -o out -j 2 --quiet \
+    --set method.mine.plugin=libslalom_follow_the_gap.so
+  test -s out/report/index.html; slalom-analyze summary out/runs.results; slalom-tune --help | head -3'
+write_python_campaign "$home/work"
+try "a report about a method in ten lines of Python" <<<'slalom-evaluate python.ini -o python -j 2 --quiet
+  test -s python/report/index.html; slalom-analyze summary python/runs.results | grep " mine succeeds"'
+cp "$sources"/examples/onnx_policy/policy.* "$home/work"
+try "a neural network" <<<"slalom-evaluate policy.ini -o policy -j 2 --quiet >policy.txt; $(expect_runs policy)"
+cat >"$home/work/lcm.ini" <<'CAMPAIGN'
+[campaign]
+methods = process
+[scenarios]
+generator = random
+count = 20
+[method.process]
+adapter = lcm
+launch = exec slalom-lcm-method --plugin libslalom_follow_the_gap.so
+CAMPAIGN
+# Multicast of LCM stays in a network of its own.
+alone() { unshare --net bash -c 'ip link set lo up && ip route add 224.0.0.0/4 dev lo && "$@"' alone "$@"; }
+export -f as_user && export root
+try "a process by LCM" alone <<<"slalom-evaluate lcm.ini -o lcm -j 1 --quiet >lcm.txt; $(expect_runs lcm)"
 if [ "${BUNDLES:-}" ]; then
-  start=$SECONDS
   cp "$BUNDLES"/*.slalom "$home/work"
-  as_user sh -c 'PATH="$(echo "/home/user/my programs"/slalom-*/bin):$PATH" && cd /home/user/work && set -e &&
-    for bundle in *.slalom; do echo "$bundle: $(slalom-simulate verify "$bundle" --fraction '"${FRACTION:-0.02}"' -j 0 --quiet | tail -1)"; done'
-  echo "== bundles in $(since $start)"
+  try "bundles" <<<'for bundle in *.slalom
+    do echo "$bundle: $(slalom-simulate verify "$bundle" --fraction '"${FRACTION:-0.02}"' -j 0 --quiet | tail -1)"; done'
 fi
+
+inside apt-get -qq update >/dev/null
+inside apt-get -qq install -y --no-install-recommends cmake fonts-dejavu-core g++ libgl1-mesa-dri libglx-mesa0 make xvfb \
+  >/dev/null 2>&1
+cp -r "$sources"/examples/tutorial "$sources"/examples/library_method "$home/work" && inside chown -R user /home/user/work
+try "the tutorial in C++ and Python" <<<"cd tutorial
+  g++ -std=c++17 -O2 -shared -fPIC -I\"\$SLALOM/include\" my_method.cpp -o libmy_method.so
+  slalom-scenarios generate -c scenarios.ini -o my.scenarios --quiet
+  slalom-evaluate campaign.ini -o out -j 2 --quiet >out.txt; $(expect_runs out)"
+try "a method in C, by CMake" <<<"cd library_method
+  cmake -S . -B build -DCMAKE_PREFIX_PATH=\"\$SLALOM\" >/dev/null; cmake --build build >/dev/null
+  slalom-evaluate campaign.ini -o out -j 2 --quiet >out.txt; $(expect_runs out)"
+try "Slalom Studio" <<<'printf "size 1280 800\nwait idle\nexpect list contains \"70 scenarios\"\nscreenshot studio.png\n" >studio.txt
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a slalom-studio slalom-demo/campaign.scenarios --script studio.txt; test -s studio.png'
 as_user rm -r "/home/user/my programs"
 left=$(as_user find /home/user -mindepth 1 -maxdepth 1 ! -name '.*' ! -name work)
 [ -z "$left" ] || { echo "left behind:"; echo "$left"; exit 1; }
