@@ -5,10 +5,13 @@ include(CMakePackageConfigHelpers)
 set(SLALOM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/slalom)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/slalom/configs)
-# Programs find the tables of difficulty from their own folder, also before they are installed.
-foreach(test_bed slalom-small slalom-standard)
-  set(table configs/testbeds/${test_bed}.difficulty.csv)
-  configure_file(${PROJECT_SOURCE_DIR}/${table} ${PROJECT_BINARY_DIR}/share/slalom/${table} COPYONLY)
+# Programs find the demo and the tables of difficulty from their own folder, also before they are installed.
+foreach(config demo.ini testbeds/slalom-small.difficulty.csv testbeds/slalom-standard.difficulty.csv)
+  configure_file(${PROJECT_SOURCE_DIR}/configs/${config} ${PROJECT_BINARY_DIR}/share/slalom/configs/${config} COPYONLY)
+endforeach()
+# The maps of the demo, as systems without MRPT lack them.
+foreach(map malaga-cs-fac-building localization_demo)
+  install(FILES /usr/share/mrpt/datasets/${map}.simplemap.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/slalom/datasets)
 endforeach()
 
 # The window is a program, not a library.

@@ -12,6 +12,7 @@
 #include <slalom/app/repeatability.h>
 #include <slalom/core/available_cores.h>
 #include <slalom/core/error.h>
+#include <slalom/core/program_path.h>
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/file_lock.h>
 #include <slalom/io/read_results.h>
@@ -189,8 +190,8 @@ void define(CLI::App& app) {
   static Arguments arguments;
   add_argument(app, {"campaign", "-c,--config", "The campaign's .ini"}, arguments.campaign.config);
   app.add_option("-o,--output", arguments.output,
-                 "Folder for campaign.scenarios, runs.results, tables and report/")
-      ->required();
+                 "Folder for campaign.scenarios, runs.results, tables and report/ (required, but "
+                 "for --demo: slalom-demo)");
   arguments.campaign.jobs = 0;
   add_campaign_options(app, arguments.campaign);
   CLI::Option* until = app.add_option("--until", arguments.until,
@@ -213,6 +214,24 @@ void define(CLI::App& app) {
   app.add_flag("--with-sources", arguments.with_sources,
                "With --bundle: with the libraries, modules and models that the methods consist of")
       ->needs(bundle);
+  // Defined after --set, whose values its own precede.
+  app.add_flag_callback(
+      "--demo",
+      [] {
+        if (!arguments.campaign.config.empty())
+          throw CLI::ValidationError(
+              "--demo", "'" + arguments.campaign.config + "' is another campaign; expected one");
+        arguments.campaign.config = shipped_file("configs/demo.ini");
+        if (arguments.output.empty()) arguments.output = "slalom-demo";
+        const std::string maps = shipped_file("datasets/");
+        if (std::filesystem::is_directory(maps))  // installed, maybe without MRPT
+          arguments.campaign.overrides.insert(arguments.campaign.overrides.begin(),
+                                              "scenarios.maps=" + maps +
+                                                  "malaga-cs-fac-building.simplemap.gz, " + maps +
+                                                  "localization_demo.simplemap.gz");
+      },
+      "Evaluate four methods in two buildings and 60 random scenarios, a campaign that comes with "
+      "the program");
   app.add_flag_callback(
       "--options",
       [] {
@@ -220,7 +239,10 @@ void define(CLI::App& app) {
         throw CLI::Success();
       },
       "Print all sections and keys of a campaign .ini and exit");
-  app.callback([] { evaluate(arguments); });
+  app.callback([] {
+    if (arguments.output.empty()) throw CLI::RequiredError("--output");
+    evaluate(arguments);
+  });
 }
 
 }  // namespace

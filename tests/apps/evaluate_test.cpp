@@ -43,6 +43,18 @@ TEST_F(Evaluate, TheSameSeedGivesIdenticalResultsForAnyNumberOfWorkers) {
   EXPECT_EQ(read("one/tables.csv"), read("two/tables.csv"));
 }
 
+TEST_F(Evaluate, TheDemoNeedsNoFileOfTheReader) {
+  const ProgramResult result = run("slalom-evaluate --demo --quiet");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("Report: slalom-demo/report/index.html"), std::string::npos);
+  EXPECT_FALSE(read("slalom-demo/report/index.html").empty());
+  // Two buildings with five pairs of start and goal each, 60 random scenarios, four methods.
+  const std::string runs = run("slalom-analyze dump slalom-demo/runs.results").out;
+  EXPECT_EQ(std::count(runs.begin(), runs.end(), '\n'), (2 * 5 + 60) * 4);
+  expect_failure("slalom-evaluate small.ini --demo", 2,
+                 {"--demo: 'small.ini' is another campaign; expected one"});
+}
+
 TEST_F(Evaluate, UsesAllCoresUnlessTheirNumberIsGiven) {
   // The first core of the test's affinity is the only one that the program may use.
   cpu_set_t all, one;

@@ -27,6 +27,10 @@ for example in library_method library_method_cpp; do
   ! grep -q '"outcome":"method_' <<<"$runs" || fail "the method failed"
 done
 
+# The installed demo has its own maps.
+sed -i 's,/usr/share/mrpt,/nonexistent,' "$folder/installed/share/slalom/configs/demo.ini"
+(cd "$folder" && "$folder/installed/bin/slalom-evaluate" --demo --quiet --set campaign.methods=follow_the_gap >/dev/null && test -s slalom-demo/report/index.html)
+
 # docs/library.md shows the program and its output.
 block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$source/docs/library.md" | sed '1d;$d'; }
 # Its components need no packages of others.

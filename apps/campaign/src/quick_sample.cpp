@@ -50,8 +50,7 @@ DifficultyTable read_difficulty(const std::filesystem::path& path) {
 
 /// The table that has all these scenarios.
 std::optional<DifficultyTable> find_difficulty(const std::vector<std::string>& hashes) {
-  const std::filesystem::path folder =
-      std::filesystem::path(program_folder()) / "../share/slalom/configs/testbeds";
+  const std::filesystem::path folder = shipped_file("configs/testbeds");
   if (!std::filesystem::is_directory(folder)) return std::nullopt;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (!ends_with(entry.path().string(), ".difficulty.csv")) continue;

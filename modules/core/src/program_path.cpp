@@ -15,4 +15,9 @@ std::string program_folder() {
   return std::filesystem::path(program_path()).parent_path().string();
 }
 
+std::string shipped_file(const std::string& name) {
+  const auto path = std::filesystem::path(program_folder()) / "../share/slalom" / name;
+  return path.lexically_normal().string();
+}
+
 }  // namespace slalom

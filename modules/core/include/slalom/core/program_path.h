@@ -9,4 +9,7 @@ namespace slalom {
 std::string program_path();
 std::string program_folder();
 
+/// The path of a file or folder below share/slalom that comes with the program, built or installed.
+std::string shipped_file(const std::string& name);
+
 }  // namespace slalom
