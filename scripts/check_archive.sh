@@ -80,8 +80,8 @@ if [ "${BUNDLES:-}" ]; then
 fi
 
 inside apt-get -qq update >/dev/null
-inside apt-get -qq install -y --no-install-recommends cmake fonts-dejavu-core g++ libgl1-mesa-dri libglx-mesa0 make xvfb \
-  >/dev/null 2>&1
+inside apt-get -qq install -y --no-install-recommends cmake fonts-dejavu-core g++ libgl1-mesa-dri libglx-mesa0 make xauth \
+  xvfb >/dev/null
 cp -r "$sources"/examples/tutorial "$sources"/examples/library_method "$home/work" && inside chown -R user /home/user/work
 try "the tutorial in C++ and Python" <<<"cd tutorial
   g++ -std=c++17 -O2 -shared -fPIC -I\"\$SLALOM/include\" my_method.cpp -o libmy_method.so

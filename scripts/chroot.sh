@@ -38,7 +38,7 @@ new_system() {
   echo "== a new system: $suite"
   if [ "$ubuntu" ]; then
     # A debootstrap older than the release lacks its name; all releases of Ubuntu are made like this one.
-    debootstrap --variant=minbase "$suite" "$root" "$mirror" gutsy >/dev/null
+    debootstrap --variant=minbase --components=main,universe "$suite" "$root" "$mirror" gutsy >/dev/null
   elif command -v mmdebstrap >/dev/null; then
     mmdebstrap --quiet --variant=apt "$suite" "$root" "$mirror"
   else
