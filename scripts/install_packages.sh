@@ -23,6 +23,15 @@ as_root=()
 export DEBIAN_FRONTEND=noninteractive
 echo "Reading the lists of packages" >&2
 "${as_root[@]}" apt-get update -qq
+absent=()
+for package in "${missing[@]}"; do
+  is_available "$package" || absent+=("$package")
+done
+if [ ${#absent[@]} -gt 0 ]; then
+  echo "Not available here: ${absent[*]}" >&2
+  echo "Slalom is built on Debian 12 or 13; its archive runs on this system too: docs/install.md" >&2
+  exit 1
+fi
 for package in "${optional[@]}"; do
   if is_available "$package"; then
     missing+=("$package")

@@ -37,6 +37,19 @@ always_available() { for _ in {1..20}; do is_available present || return 1; done
 expect "a package that the distribution has is available, each time" always_available
 expect "a package without a candidate is not" not is_available absent
 
+# A system without MRPT, as Ubuntu 24.04.
+mkdir "$work/ubuntu"
+cp "$work/bin/apt-cache" "$work/ubuntu"
+sed -i 's/^  present)/  libmrpt-dev) echo "$2:"; echo "  Candidate: (none)" ;;\n  *)/; /^  \*) echo .*none/d' "$work/ubuntu/apt-cache"
+printf '#!/bin/sh\necho "$@" >>"%s/calls"\n' "$work" | tee "$work/ubuntu/apt-get" "$work/ubuntu/sudo" >/dev/null
+printf '#!/bin/sh\nexit 1\n' >"$work/ubuntu/dpkg-query"
+chmod +x "$work"/ubuntu/*
+PATH="$work/ubuntu:$PATH" "$sources/scripts/install_packages.sh" >"$work/out" 2>"$work/err"
+expect "a system without MRPT is an error" test $? = 1
+expect_text "which names what is missing, and no more" "Not available here: libmrpt-dev" <(grep -x 'Not.*mrpt-dev' "$work/err")
+expect_text "and the way to take" "its archive runs on this system too: docs/install.md" "$work/err"
+expect "nothing is installed there" not grep -q install "$work/calls"
+
 # Progress: a line for each tenth, and all else that the build says.
 source "$sources/scripts/progress.sh"
 { for i in {1..40}; do echo "[$i/40] Building CXX object x.o"; done; echo "x.cpp:1: warning: unused"; } |
@@ -199,7 +212,7 @@ expect "it refuses a path for a name" refuses_archive "../trixie: expected the c
 expect "it refuses a missing archive" refuses_archive "$work/none.tar.zst: no archive" trixie "$work/none.tar.zst"
 make_archive() { "$sources/scripts/archive.sh" "$@" >"$work/out" 2>"$work/err"; }
 expect "the archive explains itself" make_archive --help
-expect_text "to the last line" "Needs the packages patchelf and zstd." "$work/out"
+expect_text "to the last line" "Needs the packages binutils, patchelf and zstd." "$work/out"
 expect "it refuses an argument" not make_archive trixie
 expect_text "and names it" "archive.sh: trixie: expected no argument" "$work/err"
 
@@ -230,7 +243,7 @@ PYTHON
 expect "its record has all files and their hashes, and programs may be executed" wheel_is_right
 make_a_wheel() { "$sources/scripts/wheel.sh" "$@" >"$work/out" 2>"$work/err"; }
 expect "the wheel explains itself" make_a_wheel --help
-expect_text "to the last line" "package patchelf." "$work/out"
+expect_text "to the last line" "Needs the packages patchelf and binutils." "$work/out"
 expect "it refuses an argument" not make_a_wheel trixie
 expect_text "and names it" "wheel.sh: trixie: expected no argument" "$work/err"
 
