@@ -16,10 +16,10 @@ namespace slalom {
 /// most the fraction `max_excess` of its length (also a parameter of the planner): no solution of
 /// another planner is shorter than that. Without a solution, solve() returns INVALID_START,
 /// INVALID_GOAL or UNRECOGNIZED_GOAL_TYPE, or ABORT, and then it is proved that there is none. It
-/// needs milliseconds. OMPL's PathSimplifier gains nothing, and without a limit of
-/// time it does not always end: set `simplify = false` in a request of ompl::tools::Benchmark. The
-/// termination condition is evaluated before each pair of start and goal (TIMEOUT). Throws
-/// ompl::Exception for other spaces, checks and objectives.
+/// needs milliseconds. OMPL's PathSimplifier gains nothing, and without a limit of time it does not
+/// always end: set `simplify = false` in a request of ompl::tools::Benchmark. The termination
+/// condition is evaluated before each pair of start and goal (TIMEOUT). Throws ompl::Exception for
+/// other spaces, checks and objectives.
 class ExactDiscPlanner : public ompl::base::Planner {
  public:
   explicit ExactDiscPlanner(const ompl::base::SpaceInformationPtr& space);
