@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches for planted defects (tests/modules/falsification/plugins/planted.cpp), as tables in
-// Markdown: how often each is hit in random candidates, and when probing finds it. Times are of the
-// processor, of one core.
+// Searches for planted defects (tests/modules/inquiry/falsification/plugins/planted.cpp), as tables
+// in Markdown: how often each is hit in random candidates, and when probing finds it. Times are of
+// the processor, of one core.
 //   falsification_benchmark random CANDIDATES [SEED]
 //   falsification_benchmark probe RUNS SEEDS [DEFECT]
 //   falsification_benchmark shrink FAILURES [DEFECT]

@@ -5,9 +5,9 @@
 //
 //   build/release/bin/stopping_simulation [CAMPAIGNS]
 
-#include <slalom/analysis/mean_interval.h>
 #include <slalom/analysis/precision_rule.h>
 #include <slalom/core/random.h>
+#include <slalom/statistics/mean_interval.h>
 
 #include <fmt/core.h>
 

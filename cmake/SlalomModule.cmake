@@ -26,7 +26,7 @@ endfunction()
 # their dependencies; the target all builds it.
 function(slalom_add_part NAME)
   cmake_parse_arguments(PART "" "" "SOURCES;MODULES" ${ARGN})
-  add_library(slalom_${NAME}_part MODULE ${PART_SOURCES} ${PROJECT_SOURCE_DIR}/adapters/library/src/part_build_id.cpp)
+  add_library(slalom_${NAME}_part MODULE ${PART_SOURCES} ${PROJECT_SOURCE_DIR}/adapters/methods/library/src/part_build_id.cpp)
   list(TRANSFORM PART_MODULES PREPEND slalom_)
   target_link_libraries(slalom_${NAME}_part PRIVATE ${PART_MODULES} slalom_build_id)
   set_target_properties(slalom_${NAME}_part PROPERTIES

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Writes OUTPUT, a header with a hash of the public headers of ROOT's modules, unless it is the same:
 #   cmake -DROOT=... -DOUTPUT=... -P build_id.cmake
-file(GLOB_RECURSE headers ${ROOT}/modules/*/include/*.h)
+file(GLOB_RECURSE headers ${ROOT}/modules/*.h)
+list(FILTER headers INCLUDE REGEX /include/)
 set(hashes)
 foreach(header ${headers})
   file(SHA256 ${header} hash)

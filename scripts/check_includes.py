@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fails if the includes of modules/, adapters/ and apps/ contradict their layers, or if a class has two definitions:
-check_includes.py [SOURCES]
+"""Fails if the includes of modules/, adapters/ and apps/ contradict their order, or if a class has two definitions:
+check_includes.py [SOURCES]. Prints the packages of modules/ with their modules, lowest first.
 
-A module includes headers only of core and of modules in its DEPENDS. No modules depend on each other in a circle; nor do
-components of a module (a header with its source). Public headers are interfaces: the private components behind them may
+A package includes only packages that precede it in modules/CMakeLists.txt; a module, headers only of core and of modules
+in its DEPENDS. No modules depend on each other in a circle; nor do components of a module (a header with its source). Public headers are interfaces: the private components behind them may
 include them, and the sources of FACTORIES what implements them. A linker joins classes of equal names without a word;
 those of a source belong into an unnamed namespace."""
 
@@ -13,18 +13,21 @@ import re
 import sys
 
 INCLUDE = re.compile(r'^#include [<"]([^>"]+)[>"]', re.MULTILINE)
+PACKAGE = re.compile(r"^add_subdirectory\((\w+)\)", re.MULTILINE)
 MODULE = re.compile(r"slalom_add_module\((\w+)([^)]*)\)")
 # Layout of clang-format: nothing within a namespace is indented.
 SCOPE = re.compile(r"^namespace ?([\w:]*) \{$|^\}  // namespace|^(?:class|struct|union|enum class) ([\w:<>]+)[^;]*\{")
 # Their headers declare an interface, their sources make or call what implements it.
-FACTORIES = ["modules/generation/generator", "modules/methods/registry", "modules/references/reference",
-             "modules/robot/vehicle", "modules/simulation/simulate"]
+FACTORIES = ["modules/generation/generator", "modules/run/methods/registry", "modules/world/references/reference",
+             "modules/world/robot/vehicle", "modules/run/simulation/simulate"]
 
 
 class Sources:
     def __init__(self, root):
         self.root = root
-        self.folders, self.allowed = {"core": "modules/core"}, {}  # of modules by name; names by folder
+        self.folders, self.allowed = {"core": "modules/base/core"}, {}  # of modules by name; names by folder
+        packages = root / "modules/CMakeLists.txt"
+        self.packages = PACKAGE.findall(packages.read_text()) if packages.exists() else []  # lowest first
         self.public, self.private, self.files = {}, {}, []  # headers by the name that is included; all
         for top in ("modules", "adapters", "apps"):
             for path in sorted((root / top).rglob("*")):
@@ -40,15 +43,21 @@ class Sources:
                 self.private[self.unit(path), path.name] = path
 
     def read_modules(self, path):
+        unit = "/".join(path.relative_to(self.root).parts[:-1])
         for name, arguments in MODULE.findall(path.read_text()):
             depends = re.search(r"\bDEPENDS\b([a-z_\s]*)", arguments)
-            unit = self.unit(path)
             self.folders[name] = unit
             self.allowed.setdefault(unit, ["core"]).extend(depends.group(1).split() if depends else [])
 
     def unit(self, path):
         """The folder of the module, adapter or program of a file."""
-        return "/".join(path.relative_to(self.root).parts[:2])
+        parts = path.relative_to(self.root).parts
+        return next((folder for n in (2, 3) if (folder := "/".join(parts[:n])) in self.allowed), "/".join(parts[:2]))
+
+    def floor(self, unit):
+        """The number of the package of a module's folder, 1 for the lowest; None outside packages."""
+        top, package, *_ = f"{unit}//".split("/")
+        return self.packages.index(package) + 1 if top == "modules" and package in self.packages else None
 
     def component(self, path):
         return f"{self.unit(path)}/{path.stem}"
@@ -70,8 +79,17 @@ def foreign(sources):
         folders = {sources.folders.get(name) for name in allowed} | {sources.unit(path)}
         for header in sources.included(path):
             if sources.unit(header) not in folders:
-                name = sources.unit(header).partition("/")[2]
+                name = sources.unit(header).rpartition("/")[2]
                 yield f"{path.relative_to(sources.root)}: {name} is not in the DEPENDS of its module"
+
+
+def climbs(sources):
+    """Modules that depend on a package above theirs."""
+    for unit, names in sources.allowed.items():
+        for name in names:
+            here, there = sources.floor(unit), sources.floor(sources.folders.get(name, name))
+            if here and there and there > here:
+                yield f"{unit}: {name} is in a package above it"
 
 
 def graph(sources):
@@ -144,8 +162,11 @@ def homonyms(sources):
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__).resolve()
     sources = Sources(root if root.is_dir() else root.parent.parent)
-    findings = sorted(set(foreign(sources))) + list(circles(modules(sources))) + list(circles(graph(sources)))
+    findings = sorted({*foreign(sources), *climbs(sources)}) + list(circles(modules(sources))) + list(circles(graph(sources)))
     findings += homonyms(sources)
+    for number, package in enumerate(sources.packages, 1):
+        names = (folder.rpartition("/")[2] for folder in sources.allowed if sources.floor(folder) == number)
+        print(f"{number} {package}: {', '.join(dict.fromkeys(names))}")
     print("\n".join(findings), end="\n" if findings else "")
     sys.exit(len(findings) > 0)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes configs/testbeds/*.difficulty.csv again, the strata of slalom-evaluate --quick, and the coefficients of the
-descriptor predicted_difficulty, modules/descriptors/src/path/difficulty_model.h: scripts/difficulty.py FOLDER
+descriptor predicted_difficulty, modules/world/descriptors/src/path/difficulty_model.h: scripts/difficulty.py FOLDER
 
 The methods of configs/baselines.ini, without those that take longest, in slalom-small and slalom-standard. FOLDER has
 a result file for each, which is continued or used again: delete them if methods have changed. Prints how well samples
@@ -141,7 +141,7 @@ def write_model(coefficients):
     head = ["// SPDX-License-Identifier: BSD-3-Clause", "// Written by scripts/difficulty.py.", "#pragma once", ""]
     head += ["namespace slalom::descriptors {", "", "/// Model of the Rasch difficulty of the scenarios in slalom-standard (logit)."]
     text = "\n".join([*head, *lines, "", "}  // namespace slalom::descriptors", ""])
-    (ROOT / "modules/descriptors/src/path/difficulty_model.h").write_text(text)
+    (ROOT / "modules/world/descriptors/src/path/difficulty_model.h").write_text(text)
 
 
 def main():

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes modules/core/src/math_tables.h, the tables of slalom/core/math.h, from integer arithmetic alone.
+"""Writes modules/base/core/src/math_tables.h, the tables of slalom/core/math.h, from integer arithmetic alone.
 
 Fixed-point integers of 1600 bits stand for real numbers; every series is summed until its terms vanish.
-  scripts/math_tables.py > modules/core/src/math_tables.h
+  scripts/math_tables.py > modules/base/core/src/math_tables.h
 """
 
 from fractions import Fraction

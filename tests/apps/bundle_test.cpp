@@ -407,7 +407,7 @@ TEST_F(Bundles, CarryTheFilesThatOptionsOfAPythonClassName) {
 }
 
 TEST_F(Bundles, CarryTheConfigurationsOfMrptsMethods) {
-  const std::string original = kSource + "/tests/adapters/mrpt_nav/small_navigator.ini";
+  const std::string original = kSource + "/tests/adapters/methods/mrpt_nav/small_navigator.ini";
   for (const char* adapter : {"mrpt_navigator", "mrpt_holonomic"}) {
     std::filesystem::copy_file(original, folder_ / "mine.ini");
     write("mrpt.ini",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_run.h"
 
-#include <slalom/analysis/tune_search.h>
 #include <slalom/evaluate.h>
+#include <slalom/inquiry/tune_search.h>
 #include <slalom/io/read_results.h>
 #include <slalom/library/library_method.h>
 #include <slalom/mrpt_nav/holonomic_method.h>

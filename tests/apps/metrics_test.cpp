@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../adapters/bags/message_bytes.h"
+#include "../adapters/formats/bags/message_bytes.h"
 #include "program_run.h"
 
 #include <slalom/core/text.h>

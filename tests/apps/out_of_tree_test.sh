@@ -40,7 +40,7 @@ diff <(block cpp) main.cpp
 diff <(block text) output
 
 build_example ompl_benchmark
-"$source/tests/adapters/ompl/ompl_benchmark_test.sh" ./build/ompl_benchmark
+"$source/tests/adapters/planners/ompl/ompl_benchmark_test.sh" ./build/ompl_benchmark
 
 mkdir "$folder/absent" && cd "$folder/absent"
 printf '%s\n' 'cmake_minimum_required(VERSION 3.20)' 'project(absent)' 'find_package(slalom REQUIRED COMPONENTS evaluate nothing)' \

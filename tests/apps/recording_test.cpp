@@ -37,10 +37,10 @@ class Recording : public ProgramTest {
   void SetUp() override {
     ProgramTest::SetUp();
     write("crashing.c", kCrashingMethod);
-    ASSERT_EQ(
-        run("cc -shared -fPIC -I" + kSource + "/modules/methods/include crashing.c -o crashing.so")
-            .status,
-        0);
+    ASSERT_EQ(run("cc -shared -fPIC -I" + kSource +
+                  "/modules/run/methods/include crashing.c -o crashing.so")
+                  .status,
+              0);
     write("campaign.ini", R"([campaign]
 methods = crashing, gap
 [scenarios]

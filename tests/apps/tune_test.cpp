@@ -231,9 +231,9 @@ TEST_F(Tune, RefusesSearchesThatCannotBegin) {
   const std::string base = "slalom-tune my.ini --quiet -o out ";
   const std::pair<std::string, std::vector<std::string>> kRefused[] = {
       {"--method plantd", {"--method plantd", "'planted'"}},
-      {"--method planted --runs 100", {"--runs 100", "300"}},
-      {"--method planted --sealed 100", {"--sealed 100", "200 to 1000"}},
-      {"--method planted --development 10", {"--development 10", "100"}},
+      {"--method planted --runs 100", {"--runs: 100", "300"}},
+      {"--method planted --sealed 100", {"--sealed: 100", "200 to 1000"}},
+      {"--method planted --development 10", {"--development: 10", "100"}},
       {"--method planted --stratify densiti", {"densiti", "density"}},
       {"--method planted --then time", {"time"}},
       {"--method planted --confidence 1", {"--confidence 1"}},

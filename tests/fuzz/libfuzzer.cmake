@@ -1,47 +1,48 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The readers and their dependencies, compiled for libFuzzer with sanitizers; the rest of the project is not built.
 set(MODULES ${PROJECT_SOURCE_DIR}/modules)
-set(BAGS ${PROJECT_SOURCE_DIR}/adapters/bags/src)
-set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/map_formats/src)
-set(PARAMETERS ${PROJECT_SOURCE_DIR}/adapters/ros_parameters/src)
+set(BAGS ${PROJECT_SOURCE_DIR}/adapters/formats/bags/src)
+set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/formats/map_formats/src)
+set(PARAMETERS ${PROJECT_SOURCE_DIR}/adapters/formats/ros_parameters/src)
 foreach(module analysis core scenario trajectory results)
   get_target_property(sources slalom_${module} SOURCES)
-  list(TRANSFORM sources PREPEND ${MODULES}/${module}/)
+  get_target_property(folder slalom_${module} SOURCE_DIR)
+  list(TRANSFORM sources PREPEND ${folder}/)
   list(APPEND FUZZED_SOURCES ${sources})
 endforeach()
 add_library(slalom_fuzzed STATIC
   ${FUZZED_SOURCES}
-  ${MODULES}/campaign/src/wire.cpp
-  ${MODULES}/falsification/src/search_state.cpp
-  ${MODULES}/falsification/src/trial_codec.cpp
-  ${MODULES}/io/src/checked_row.cpp
-  ${MODULES}/io/src/compression.cpp
-  ${MODULES}/io/src/database.cpp
-  ${MODULES}/io/src/sibling_temp_file.cpp
-  ${MODULES}/io/src/file_access.cpp
-  ${MODULES}/io/src/result/campaign_identity.cpp
-  ${MODULES}/io/src/result/combined_results.cpp
-  ${MODULES}/io/src/result/derived_speeds.cpp
-  ${MODULES}/io/src/result/dump.cpp
-  ${MODULES}/io/src/result/file_rows.cpp
-  ${MODULES}/io/src/result/log_columns.cpp
-  ${MODULES}/io/src/result/merge_results.cpp
-  ${MODULES}/io/src/result/packed_scenario.cpp
-  ${MODULES}/io/src/result/packed_trajectory.cpp
-  ${MODULES}/io/src/result/read_results.cpp
-  ${MODULES}/io/src/result/result_reader.cpp
-  ${MODULES}/io/src/result/result_schema.cpp
-  ${MODULES}/io/src/result/result_writer.cpp
-  ${MODULES}/io/src/scenario/scenario_codec.cpp
-  ${MODULES}/io/src/scenario/hunav_agents.cpp
-  ${MODULES}/io/src/scenario/movers_file.cpp
-  ${MODULES}/io/src/scenario/movers_yaml.cpp
-  ${MODULES}/io/src/scenario/scenario_yaml.cpp
-  ${MODULES}/io/src/scenario/yaml_reader.cpp
-  ${MODULES}/io/src/result/trajectory_file.cpp
-  ${MODULES}/io/src/text_lines.cpp
-  ${MODULES}/io/src/transaction.cpp
-  ${MODULES}/references/src/reference_codec.cpp
+  ${MODULES}/study/campaign/src/wire.cpp
+  ${MODULES}/inquiry/falsification/src/search_state.cpp
+  ${MODULES}/inquiry/falsification/src/trial_codec.cpp
+  ${MODULES}/data/io/src/checked_row.cpp
+  ${MODULES}/data/io/src/compression.cpp
+  ${MODULES}/data/io/src/database.cpp
+  ${MODULES}/data/io/src/sibling_temp_file.cpp
+  ${MODULES}/data/io/src/file_access.cpp
+  ${MODULES}/data/io/src/result/campaign_identity.cpp
+  ${MODULES}/data/io/src/result/combined_results.cpp
+  ${MODULES}/data/io/src/result/derived_speeds.cpp
+  ${MODULES}/data/io/src/result/dump.cpp
+  ${MODULES}/data/io/src/result/file_rows.cpp
+  ${MODULES}/data/io/src/result/log_columns.cpp
+  ${MODULES}/data/io/src/result/merge_results.cpp
+  ${MODULES}/data/io/src/result/packed_scenario.cpp
+  ${MODULES}/data/io/src/result/packed_trajectory.cpp
+  ${MODULES}/data/io/src/result/read_results.cpp
+  ${MODULES}/data/io/src/result/result_reader.cpp
+  ${MODULES}/data/io/src/result/result_schema.cpp
+  ${MODULES}/data/io/src/result/result_writer.cpp
+  ${MODULES}/data/io/src/scenario/scenario_codec.cpp
+  ${MODULES}/data/io/src/scenario/hunav_agents.cpp
+  ${MODULES}/data/io/src/scenario/movers_file.cpp
+  ${MODULES}/data/io/src/scenario/movers_yaml.cpp
+  ${MODULES}/data/io/src/scenario/scenario_yaml.cpp
+  ${MODULES}/data/io/src/scenario/yaml_reader.cpp
+  ${MODULES}/data/io/src/result/trajectory_file.cpp
+  ${MODULES}/data/io/src/text_lines.cpp
+  ${MODULES}/data/io/src/transaction.cpp
+  ${MODULES}/world/references/src/reference_codec.cpp
   ${BAGS}/bag_info.cpp
   ${BAGS}/bag_info_text.cpp
   ${BAGS}/bag_trajectory.cpp
@@ -73,10 +74,10 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/world_import.cpp
   ${FORMATS}/world_parts.cpp
   ${FORMATS}/xml_file.cpp
-  ${MODULES}/report/src/benchmark_table.cpp
-  ${MODULES}/robot/src/footprint.cpp
-  ${MODULES}/robot/src/robot_model.cpp
-  ${MODULES}/simulation/src/simulation_options.cpp
+  ${MODULES}/study/report/src/benchmark_table.cpp
+  ${MODULES}/world/robot/src/footprint.cpp
+  ${MODULES}/world/robot/src/robot_model.cpp
+  ${MODULES}/run/simulation/src/simulation_options.cpp
   ${PARAMETERS}/conversions.cpp
   ${PARAMETERS}/parameter_files.cpp
   ${PARAMETERS}/parameter_table.cpp
@@ -85,8 +86,8 @@ foreach(module analysis core scenario io campaign falsification map_formats ros_
   target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()
-target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/campaign/src ${MODULES}/io/src
-                                                ${MODULES}/report/src ${MODULES}/scenario/src)
+target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/study/campaign/src ${MODULES}/data/io/src
+                                                ${MODULES}/study/report/src ${MODULES}/world/scenario/src)
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses

@@ -11,6 +11,7 @@ cd "$sources"
 # an error, so that the check cannot pass by finding nothing.
 excused='
 analysis * statistics of finished runs, which no hash and no dump has
+statistics * the same
 bags     * frames in three dimensions of recorded robots; scenarios of drives have their poses
 gui      * digits of scales on the screen
 rawlog   * identification of robots from their logs, maps that MRPT makes of scans
@@ -37,10 +38,15 @@ folder_of() {
   case $1 in
     app_*) echo "apps/${1#app_}" ;;
     reactive_common) echo reactive_algos/common ;;
-    onnx_runtime) echo adapters/onnx ;;
-    ros2_runtime) echo adapters/ros2 ;;
-    figures) echo modules/report ;;
-    *) ls -d {modules,adapters,reactive_algos}/"$1" 2>/dev/null || true ;;
+    onnx_runtime) echo adapters/methods/onnx ;;
+    ros2_runtime) echo adapters/methods/ros2 ;;
+    figures) echo modules/study/report ;;
+    *)
+      local folder
+      for folder in {modules,adapters}/*/"$1" {modules,reactive_algos}/"$1"; do
+        [ ! -d "$folder" ] || { echo "$folder"; return; }
+      done
+      ;;
   esac
 }
 

@@ -40,7 +40,7 @@ plugin = planner.so
 def archive_of(folder):
     """An archive whose programs are those of the build, with the header for methods."""
     programs = folder / "slalom-0.1.0-x86_64" / "bin"
-    shutil.copytree(SOURCE / "modules" / "methods" / "include", programs.parent / "include")
+    shutil.copytree(SOURCE / "modules/run/methods/include", programs.parent / "include")
     programs.mkdir()
     for name in ("slalom-evaluate", "slalom-analyze"):
         (programs / name).write_text(f'#!/bin/sh\nexec "{BIN / name}" "$@"\n')

@@ -13,14 +13,14 @@ import tempfile
 
 # A target with the flags for new sources below a folder; the adapters and methods are new targets there.
 TARGETS = {
-    "modules/metrics/": "slalom_metrics",
-    "modules/descriptors/": "slalom_descriptors",
+    "modules/run/metrics/": "slalom_metrics",
+    "modules/world/descriptors/": "slalom_descriptors",
     "modules/generation/": "slalom_generation",
     "adapters/": "slalom_library",
     "apps/campaign/": "slalom_app_campaign",
     "reactive_algos/": "slalom_go_to_goal_parts",
-    "tests/modules/metrics/": "metrics_test",
-    "tests/modules/descriptors/": "descriptors_test",
+    "tests/modules/run/metrics/": "metrics_test",
+    "tests/modules/world/descriptors/": "descriptors_test",
 }
 FOLDERS = ("adapters", "apps", "docs", "lcm_types", "modules", "reactive_algos", "tests")
 

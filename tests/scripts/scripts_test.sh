@@ -169,6 +169,15 @@ echo 'slalom_add_module(low SOURCES src/low.cpp DEPENDS high)' >"$tree/modules/l
 expect "dependencies in a circle are not" not check_includes
 expect_text "its modules" "modules/high -> modules/low -> modules/high" "$work/out"
 echo 'slalom_add_module(low SOURCES src/low.cpp)' >"$tree/modules/low/CMakeLists.txt"
+printf '%s\n' 'add_subdirectory(top)' 'add_subdirectory(bottom)' >"$tree/modules/CMakeLists.txt"
+mkdir "$tree"/modules/{top,bottom}
+mv "$tree/modules/high" "$tree/modules/top/high"
+mv "$tree/modules/low" "$tree/modules/bottom/low"
+expect "a module that depends on a package after its own is not" not check_includes
+expect_text "the module and what it depends on" "modules/top/high: low is in a package above it" "$work/out"
+expect_text "the packages with their modules" "1 top: high" "$work/out"
+mv "$tree/modules/top/high" "$tree/modules/bottom/low" "$tree/modules"
+rm -r "$tree/modules/CMakeLists.txt" "$tree"/modules/{top,bottom}
 printf '%s\n' 'namespace slalom {' 'namespace {' 'struct Own {' '};' '}  // namespace' 'struct Part {' '};' \
   'struct Part::Impl {' '};' '}  // namespace slalom' | tee "$tree/modules/low/src/low.cpp" >"$tree/modules/high/src/top.cpp"
 expect "two definitions of a class are not" not check_includes

@@ -2,10 +2,10 @@
 #include "figures.h"
 #include "kinds.h"
 
-#include <slalom/analysis/rate_test.h>
 #include <slalom/app/parameter_field.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/statistics/sequential_rate.h>
 
 #include <fmt/format.h>
 

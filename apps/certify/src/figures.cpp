@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "figures.h"
 
-#include <slalom/analysis/statistics.h>
 #include <slalom/core/text.h>
 #include <slalom/io/svg_scene.h>
+#include <slalom/statistics/statistics.h>
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinds.h"
 
-#include <slalom/analysis/rate_test.h>
-#include <slalom/analysis/statistics.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
+#include <slalom/statistics/sequential_rate.h>
+#include <slalom/statistics/statistics.h>
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 #include "kinds.h"
 #include "shuffle.h"
 
-#include <slalom/analysis/rate_test.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/statistics/sequential_rate.h>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinds.h"
 
-#include <slalom/analysis/rate_test.h>
 #include <slalom/core/error.h>
 #include <slalom/core/math.h>
 #include <slalom/core/text.h>
+#include <slalom/statistics/sequential_rate.h>
 
 #include <fmt/format.h>
 

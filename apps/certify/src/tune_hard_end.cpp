@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tune_hard_end.h"
 
-#include <slalom/analysis/quantile.h>
 #include <slalom/core/text.h>
+#include <slalom/statistics/quantile.h>
 
 #include <fmt/format.h>
 

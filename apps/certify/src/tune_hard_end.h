@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <slalom/analysis/tune_search.h>
+#include <slalom/inquiry/tune_search.h>
 
 #include <optional>
 #include <string>

@@ -4,15 +4,15 @@
 #include "tune_scenarios.h"
 #include "tune_space.h"
 
-#include <slalom/analysis/rate_tests.h>
-#include <slalom/analysis/sealed_claim.h>
-#include <slalom/analysis/tune_effects.h>
-#include <slalom/analysis/tune_equals.h>
-#include <slalom/analysis/tune_search.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/descriptors/descriptor.h>
+#include <slalom/inquiry/sealed_claim.h>
+#include <slalom/inquiry/tune_effects.h>
+#include <slalom/inquiry/tune_equals.h>
+#include <slalom/inquiry/tune_search.h>
 #include <slalom/metrics/metric.h>
+#include <slalom/statistics/paired_rates.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <slalom/analysis/tune_space.h>
 #include <slalom/app/block_runner.h>
+#include <slalom/inquiry/tune_space.h>
 
 namespace slalom {
 

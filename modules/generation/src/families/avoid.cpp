@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "straight_path.h"
+#include "straight_path_family.h"
 
 #include <slalom/core/math.h>
 #include <slalom/generation/avoid.h>

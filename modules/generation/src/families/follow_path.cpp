@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "straight_path.h"
+#include "straight_path_family.h"
 
 #include <slalom/generation/follow_path.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <slalom/analysis/stratified_sample.h>
 #include <slalom/app/campaign_program.h>
 #include <slalom/core/progress.h>
 #include <slalom/scenario/scenario.h>
+#include <slalom/statistics/stratified_sample.h>
 
 #include <map>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <slalom/analysis/limit_search.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/random.h>
+#include <slalom/inquiry/limit_search.h>
 
 #include <string>
 #include <vector>
