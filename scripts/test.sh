@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs missing packages, builds everything in the build folder of the demo, and runs all tests: scripts/test.sh.
-# With --all also what takes longer: the checks of format, documents, comments and includes; tests that build the project
+# With --all also what takes longer: the checks of format, documents, comments, includes and size; tests that build the project
 # again; the benchmarks are built; clang-tidy on what changed; all tests again under the address and undefined-behavior
 # sanitizers. Prints the time of each step, and the number of tests.
 set -euo pipefail
@@ -38,6 +38,7 @@ mapfile -t parts < <(sed -n 's/^slalom_part(\([A-Z0-9]*\) .*/-DSLALOM_WITH_\1=ON
 targets=()
 [ -z "$all" ] || targets=(all slalom_benchmarks)
 scripts/build.sh release "${parts[@]}" "${targets[@]}"
+[ -z "$all" ] || scripts/check_budget.py . build/release/bin
 finish_step "build, release"
 if [ "$all" ]; then
   run_tests release

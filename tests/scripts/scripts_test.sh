@@ -185,6 +185,29 @@ expect_text "the class and its sources" \
   "slalom::Part is defined in modules/high/src/top.cpp and modules/low/src/low.cpp" "$work/out"
 expect "classes of unnamed namespaces may have equal names" not grep -q Own "$work/out"
 
+mkdir -p "$tree/.ci" "$tree/tests" "$tree/docs" "$tree/bin"
+printf '%s\n' 'product_lines 99' 'test_lines 2' 'public_headers 9' 'document_words 3' 'verbs 1' 'flags 4' 'keys 2' >"$tree/.ci/budget"
+printf '1\n2\n' >"$tree/tests/a_test.cpp"
+echo "three words here" >"$tree/docs/page.md"
+cat >"$tree/bin/slalom-evaluate" <<'PROGRAM'
+#!/bin/sh
+case "$*" in
+  --help) printf 'Options:\n  -h,--help  Help\n  --version  Version\nSubcommands:\n  run  Runs\n' ;;
+  "run --help") printf 'Options:\n  -h,--help  Help\n  --seed INT  Seed\n  -j,--jobs INT  Workers\n' ;;
+  --options) printf '[campaign]\n  name = x  the name\n  seed = 1  the seed\n' ;;
+esac
+PROGRAM
+chmod +x "$tree/bin/slalom-evaluate"
+git -C "$tree" init -q && git -C "$tree" add .
+check_budget() { "$sources/scripts/check_budget.py" "$tree" "$tree/bin" >"$work/out"; }
+expect "a project within its budget passes" check_budget
+for size in "test_lines 2" "document_words 3" "verbs 1" "flags 4" "keys 2"; do
+  expect_text "${size% *} are counted" "${size#* } of" <(grep "^${size% *} " "$work/out")
+done
+echo "and two" >>"$tree/docs/page.md"
+expect "a larger one does not" not check_budget
+expect_text "what is too large" "5 of       3  too large" "$work/out"
+
 check_packages() { "$sources/scripts/check_packages.sh" "$@" >"$work/out" 2>"$work/err"; }
 refuses_packages() {
   local text=$1
