@@ -122,7 +122,7 @@ TEST_F(Certify, RefusesQuestionsThatCannotBeAnswered) {
       {"--of random.obstacles --from 8 --to 12 --step 0.5", {"integers"}},
       {"--of passage.widht " + range, {"no numeric option 'widht'; expected 'width'"}},
       {"--of passage " + range, {"no numeric option ''"}},
-      {"--of pasage.width " + range, {"'pasage' is no family", "'passage'"}},
+      {"--of pasage.width " + range, {"unknown family, robot or sensor 'pasage'", "'passage'"}},
       {width + range + "--reliability 0.9 1.5", {"--reliability 1.5"}},
       {width + "--from 1.2", {"--to", "both ends"}},
       {"--of robot.max_v", {"--from", "no range of its own"}},
@@ -457,7 +457,7 @@ TEST_F(Certify, StandardTestsHaveVerdictsWithTheirConfidence) {
   expect_failure(standard + "--require", 1, {"--require: ", "of 4 tests passed"});
   expect_failure(standard + "--trials 8", 2, {"--trials 8", "at least 9"});
   expect_failure(standard + "--reliability 0.999999999999", 2, {"--trials 30", "at most 1000000"});
-  expect_failure(standard + "--speeds 1.5", 2, {"--speeds 1.5", "at most 1"});
+  expect_failure(standard + "--speeds 1.5", 2, {"--speeds: 1.5", "at most 1"});
   expect_failure(standard + "--families pasage", 2, {"'pasage'", "'passage'"});
 }
 

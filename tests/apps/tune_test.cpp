@@ -174,7 +174,7 @@ TEST_F(Tune, TunesKeysOfTheConfigurationOfAnMrptClass) {
   expect_failure(
       "slalom-tune bad.ini --method go --quiet -o bad --set method.go.adapter=library "
       "--set method.go.plugin=libslalom_go_to_goal.so",
-      2, {"is no option of [method.go]", "mrpt_holonomic and mrpt_navigator"});
+      2, {"is not an option of [method.go]", "mrpt_holonomic and mrpt_navigator"});
 }
 
 TEST_F(Tune, AFolderKeepsTheResultOfOneSearch) {
@@ -242,7 +242,7 @@ TEST_F(Tune, RefusesSearchesThatCannotBegin) {
       {"--method planted --set tune.a=1,0", {"tune.a"}},
       {"--method planted --set tune.a=0.5,1", {"tune.a", "default"}},
       {"--method planted --set tune.a=0,1,lin", {"'lin' is unknown", "LOW, HIGH"}},
-      {"--method planted --set tune.a=much", {"'much' is no range"}},
+      {"--method planted --set tune.a=much", {"'much' is not a range"}},
       {"--method planted --set tune.c=0,1", {"tune.c", "its default is unknown"}},
       {"--method planted --set tune.mode=\"x|y\"", {"no choice is the default"}},
       {"--method snake --set method.snake.module=plain.py", {"declares no ranges", "[tune]"}}};

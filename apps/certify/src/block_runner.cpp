@@ -258,7 +258,8 @@ void BlockRunner::read_journal() {
     double number = 0;
     if (value != "-" && parse_number(value, number)) run.value = number;
     if (!words || !outcome || journal_stream_.empty() || (value != "-" && !run.value))
-      throw file_error(execution_.journal, "'" + line + "' is no run", "that it is removed");
+      throw file_error(execution_.journal, "damaged line '" + line + "'",
+                       "the journal of this question, or none: delete it to start again");
     run.outcome = *outcome;
     streams_[journal_stream_].runs.push_back(run);
   }

@@ -99,7 +99,7 @@ void EnvelopeQuestion::check(const MethodCampaign& campaign, BlockRunner& runner
                           std::to_string(needed) + " runs without a failure each",
                       "at least " + std::to_string(needed * rows_.bins.count()));
   if (require_ && !(*require_ >= 0 && *require_ <= 1))
-    throw usage_error("--require " + format_number(*require_), "is no fraction", "0 to 1");
+    throw usage_error("--require", format_number(*require_) + " is out of range", "0 to 1");
   const RunStream all = {
       "", "", campaign.ini, {rows_.in({0, rows_.bins.count()}), of_.in({0, of_.bins.count()})}};
   runner.check(all);

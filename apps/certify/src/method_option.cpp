@@ -26,7 +26,7 @@ std::optional<std::string> get_method_option(const IniFile& ini, const std::stri
   if (!is_of_configuration(option)) return ini.get(section, option);
   if (const MethodAdapter* adapter = configured_adapter(ini, section))
     return adapter->configuration_value(ini, section, option);
-  throw usage_error(where, "is no option of [" + section + "]",
+  throw usage_error(where, "is not an option of [" + section + "]",
                     "a key of it; SECTION.KEY is for mrpt_holonomic and mrpt_navigator, NODE.NAME "
                     "for ros2");
 }

@@ -71,7 +71,7 @@ Parameter parse_parameter(const std::string& name, const std::string& option_nam
   const std::size_t dot = std::min(name.find('.'), name.size());
   const std::string owner = name.substr(0, dot);
   if (!contains(owners(), owner))
-    throw usage_error(option_name + " " + name, "'" + owner + "' is no family, robot or sensor",
+    throw usage_error(option_name + " " + name, "unknown family, robot or sensor '" + owner + "'",
                       expected_name(owner, owners()));
   const std::string option = name.substr(std::min(dot + 1, name.size()));
   const std::map<std::string, Parameter> known = parameters_of(owner);

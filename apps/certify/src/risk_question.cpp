@@ -87,7 +87,8 @@ void RiskQuestion::check(const MethodCampaign& campaign, BlockRunner& runner) {
   known.back() = kFailure;  // Errors of the machine end the command.
   for (const std::string& outcome : outcomes_)
     if (!contains(known, outcome))
-      throw usage_error("--outcome " + outcome, "is no outcome", expected_name(outcome, known));
+      throw usage_error("--outcome", "unknown outcome '" + outcome + "'",
+                        expected_name(outcome, known));
   if (outcomes_.empty()) throw usage_error("--outcome", "no outcome", join(known, ", "));
   require_probability("--confidence", confidence_);
   if (at_most_) require_probability("--at-most", *at_most_);
@@ -96,7 +97,7 @@ void RiskQuestion::check(const MethodCampaign& campaign, BlockRunner& runner) {
                       "at least " + format_number(kSmallestBound));
   if (require_ && !at_most_) throw usage_error("--require", "nothing is to be shown", "--at-most");
   if (budget_ && !(*budget_ >= 1 && *budget_ <= 1e12))
-    throw usage_error("--budget " + format_number(*budget_), "is no number of runs", "1 to 10^12");
+    throw usage_error("--budget", format_number(*budget_) + " is out of range", "1 to 10^12");
   if (at_most_ && budget_) {
     if (budget() < needed())
       throw usage_error("--budget " + format_number(*budget_),

@@ -63,8 +63,8 @@ void StandardQuestion::check(const MethodCampaign& campaign, BlockRunner& runner
   if (speeds_.empty()) throw usage_error("--speeds", "no speed", "a fraction of robot.max_v");
   for (const double speed : speeds_)
     if (!(speed > 0 && speed <= 1))
-      throw usage_error("--speeds " + format_number(speed), "is no fraction of robot.max_v",
-                        "above 0, at most 1");
+      throw usage_error("--speeds", format_number(speed) + " is out of range",
+                        "a fraction of robot.max_v above 0, at most 1");
   if (trials_ > kMaxTrials || shown_confidence(trials_, 0, reliability_) < confidence_) {
     const std::string needed =
         format_number(std::ceil(math::log(1 - confidence_) / math::log(reliability_)));

@@ -89,16 +89,14 @@ SealedOptions TuneQuestion::sealed_options() const {
 void TuneQuestion::check(const MethodCampaign& campaign, BlockRunner&) {
   require_probability("--confidence", search_.confidence);
   if (search_.budget < kMinTuneBudget || search_.budget > 10000000)
-    throw usage_error("--runs " + std::to_string(search_.budget), "is no budget of a search",
+    throw usage_error("--runs", std::to_string(search_.budget) + " is out of range",
                       std::to_string(kMinTuneBudget) + " to 10000000");
   for (const auto& [option, size] :
        {std::pair{"--development", search_.development}, {"--finals", search_.finals}})
     if (size < 100 || size > 100000)
-      throw usage_error(option + (" " + std::to_string(size)), "is no number of scenarios",
-                        "100 to 100000");
+      throw usage_error(option, std::to_string(size) + " is out of range", "100 to 100000");
   if (sealed_ < 200 || sealed_ > SealedClaim::kMaxSealed)
-    throw usage_error("--sealed " + std::to_string(sealed_), "is no number of scenarios",
-                      "200 to 1000");
+    throw usage_error("--sealed", std::to_string(sealed_) + " is out of range", "200 to 1000");
   SealedClaim checked(sealed_options());
   descriptor(stratify_);
   less_is_better_ = slalom::metric(then_).info.direction != Direction::Up;

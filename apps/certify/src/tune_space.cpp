@@ -26,7 +26,7 @@ SpaceParameter parse_line(const std::string& name, const std::string& text,
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() < 2 || !parse_number(parts[0], parameter.low) ||
       !parse_number(parts[1], parameter.high))
-    throw usage_error(where, "'" + text + "' is no range", kExpectedSpace);
+    throw usage_error(where, "'" + text + "' is not a range", kExpectedSpace);
   for (std::size_t i = 2; i < parts.size(); ++i) {
     if (parts[i] != "log" && parts[i] != "integer")
       throw usage_error(where, "'" + parts[i] + "' is unknown", kExpectedSpace);

@@ -71,7 +71,7 @@ ImportedWorld read_log(const std::string& path, const ImportRequest& request) {
     world.goal = log.goal;
   else
     log.notes.push_back("it ends " + format_fixed(distance, 2) +
-                        " m from its start, which is no goal");
+                        " m from its start, too near to be a goal");
   world.message = path + ": " + join(log.notes, "; ");
   return world;
 }

@@ -51,7 +51,7 @@ class UrdfReader {
   UrdfRobot read() {
     const XMLElement& robot = xml_.root();
     if (std::string(robot.Name()) != "robot")
-      throw xml_.error(robot, "<" + std::string(robot.Name()) + "> is no robot", kKind);
+      throw xml_.error(robot, "<" + std::string(robot.Name()) + "> is not a robot", kKind);
     expect_no_xacro(robot);
     robot_.name = xml_attribute(robot, "name");
     for (const XMLElement* link : xml_children(robot, "link")) read_link(*link);
@@ -123,7 +123,7 @@ class UrdfReader {
       link.shapes.push_back(shape_of(*shape, kind, origin_of(*collision)));
     }
     if (name.empty() || !links_.emplace(name, link).second)
-      throw xml_.error(element, "'" + name + "' is no name of a link of its own", "another name");
+      throw xml_.error(element, "'" + name + "' cannot name another link", "a name of its own");
     if (links_.size() > kMaxLinks)
       throw xml_.error(element, "has too many links", "at most " + std::to_string(kMaxLinks));
   }
@@ -142,7 +142,8 @@ class UrdfReader {
       return shape;
     }
     if (kind != "sphere" && kind != "cylinder")
-      throw xml_.error(element, "<" + kind + "> is no shape", "box, cylinder, sphere or mesh");
+      throw xml_.error(element, "<" + kind + "> is not a known shape",
+                       "box, cylinder, sphere or mesh");
     const double radius = size(element, "radius");
     if (kind == "cylinder") {
       const double length = size(element, "length");
@@ -173,7 +174,7 @@ class UrdfReader {
       const XMLElement* end = element.FirstChildElement(name);
       const std::string found = end == nullptr ? "" : xml_attribute(*end, "link");
       if (links_.count(found) == 0)
-        throw xml_.error(element, "its " + std::string(name) + " '" + found + "' is no link",
+        throw xml_.error(element, "its " + std::string(name) + " '" + found + "' is not a link",
                          "the name of a link");
       return found;
     };
@@ -302,7 +303,7 @@ class UrdfReader {
         const std::string type = xml_attribute(*sensor, "type");
         if (!contains({"ray", "gpu_ray", "lidar", "gpu_lidar"}, type)) continue;
         if (links_.count(link) == 0)
-          throw xml_.error(*gazebo, "its reference '" + link + "' is no link",
+          throw xml_.error(*gazebo, "its reference '" + link + "' is not a link",
                            "the name of a link");
         robot_.lasers.push_back(laser_at(link));
         const XMLElement* ray = sensor->FirstChildElement("ray");

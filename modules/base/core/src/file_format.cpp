@@ -127,7 +127,7 @@ void refuse_foreign_format(const std::string& content, const std::string& path,
     throw file_error(path, "is an SQLite file, as bags of ROS 2 (.db3) are",
                      expected + "; way in: " + kBagWay);
   if (text && !is_text(content.substr(0, kHead)))
-    throw file_error(path, "is no text, and of no format that is recognized", expected);
+    throw file_error(path, "has an unknown format", expected);
 }
 
 std::optional<FileFormat> recognize_file(const std::string& path) {

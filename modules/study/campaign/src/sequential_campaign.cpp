@@ -48,7 +48,7 @@ void check_methods_of(const DecisionRule& rule, const std::vector<NamedMethod>& 
   std::vector<std::string> names;
   for (const NamedMethod& method : methods) names.push_back(method.name);
   for (const std::string& name : {rule.method, rule.reference})
-    expect_known(name, names, "is no method of this campaign");
+    expect_known(name, names, "is not a method of this campaign");
   if (rule.method == rule.reference)
     throw usage_error("--until", "'" + rule.method + "' is compared with itself", "two methods");
 }

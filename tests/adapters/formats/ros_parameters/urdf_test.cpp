@@ -212,14 +212,14 @@ TEST_F(Urdf, WhatIsNoRobotIsRefusedWithItsLine) {
   EXPECT_TRUE(refuses(link("a", "<cylinder radius=\"-1\" length=\"1\"/>"), ":2", {"radius = -1"}));
   EXPECT_TRUE(refuses(link("a", "<box size=\"1 0 1\"/>"), ":2", {"a side is not above 0"}));
   EXPECT_TRUE(refuses(link("a", "<cone/>"), ":2", {"<cone>", "sphere"}));
-  EXPECT_TRUE(refuses(link("a", kBox) + joint("a", "b", ""), ":3", {"child 'b' is no link"}));
+  EXPECT_TRUE(refuses(link("a", kBox) + joint("a", "b", ""), ":3", {"child 'b' is not a link"}));
   EXPECT_TRUE(refuses(link("a", kBox) + link("b", kBox), ":1", {"2 root links"}));
   EXPECT_TRUE(refuses(link("a", kBox) + link("a", kBox), ":3", {"'a'"}));
   EXPECT_TRUE(refuses(link("a", kBox) + link("b", kBox) + link("c", kBox) + joint("b", "c", "") +
                           joint("c", "b", ""),
                       ":1", {"circle"}));
   write("s.urdf", "<sdf/>");
-  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "s.urdf:1", {"<sdf> is no robot"},
+  EXPECT_TRUE(throws_error(ErrorKind::File, folder_ / "s.urdf:1", {"<sdf> is not a robot"},
                            [&] { resolve("[robot]\nfrom = s.urdf\n"); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, folder_ / "a.ini", {"describes a robot", "[robot]"},
                            [&] { resolve("[sensor]\nfrom = s.urdf\n"); }));

@@ -50,7 +50,7 @@ TEST(FileFormat, ARefusalNamesTheFormatAndTheWayIn) {
   EXPECT_TRUE(throws_error(
       ErrorKind::File, "runs.csv", {"is a Parquet file", "a table as CSV", "pandas.read_parquet"},
       [] { refuse_foreign_format("PAR1\x15", "runs.csv", "a table as CSV"); }));
-  EXPECT_TRUE(throws_error(ErrorKind::File, "runs.csv", {"is no text"}, [] {
+  EXPECT_TRUE(throws_error(ErrorKind::File, "runs.csv", {"has an unknown format"}, [] {
     refuse_foreign_format(std::string("a,b\0c", 5), "runs.csv", "a table");
   }));
   EXPECT_NO_THROW(refuse_foreign_format("a,b\n1,2\n", "runs.csv", "a table"));

@@ -172,7 +172,7 @@ TEST(TrajectoryFile, RejectsInvalidHeadersAndSuggestsTheNearestName) {
   EXPECT_TRUE(refused_log("0,0,0,0\n", "log:1: ", {"no header line before 4 numbers", "TUM"}));
   EXPECT_TRUE(refused_log("0 0 0 0 0\n", "log:1: ", {"no header line before 5 numbers"}));
   EXPECT_TRUE(refused_log("", "log: ", {"empty"}));
-  EXPECT_TRUE(refused_log(std::string(1000, '\0'), "log: ", {"is no text"}));
+  EXPECT_TRUE(refused_log(std::string(1000, '\0'), "log: ", {"has an unknown format"}));
 }
 
 TEST(TrajectoryFile, TwoColumnsOfOneNameAreRefusedHoweverTheyAreNamed) {
