@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The ledger of claims, with short campaigns: claims_test.py SOURCE_FOLDER. SLALOM_BIN is the folder of the programs."""
+import hashlib
 import os
 import pathlib
 import re
@@ -39,6 +40,11 @@ plugin = libslalom_follow_the_gap.so
 
 
 class Claims(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.results = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.results)
+
     def setUp(self):
         self.root = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.root)
@@ -47,17 +53,18 @@ class Claims(unittest.TestCase):
         for name in ("claims.py", "baseline_tables.py"):
             shutil.copy(SOURCES / "scripts" / name, self.root / "scripts")
 
-    def judge(self, text, *names):
+    def judge(self, text, *names, out=None):
         (self.root / "configs/claims/planted.ini").write_text(text)
-        command = [sys.executable, self.root / "scripts/claims.py", self.root / "out", *names]
+        command = [sys.executable, self.root / "scripts/claims.py", out or self.root / "out", *names]
         environment = {key: value for key, value in os.environ.items() if key != "BARN"}
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
 
     def row(self, text):
-        shutil.rmtree(self.root / "out", ignore_errors=True)
-        run = self.judge(text)
+        """The row of a claim. Claims about the same campaign, also those of other tests, share its runs."""
+        out = self.results / hashlib.sha256(text.partition("\n\n")[2].encode()).hexdigest()
+        run = self.judge(text, out=out)
         self.assertEqual(run.returncode, 0, run.stderr)
-        return (self.root / "out/claims.md").read_text().split("\n")[2]
+        return (out / "claims.md").read_text().split("\n")[2]
 
     def test_a_claim_is_confirmed_and_its_contrary_refuted(self):
         row = self.row(PLANTED)
@@ -129,7 +136,7 @@ class Claims(unittest.TestCase):
             campaign = self.root / path.name
             campaign.write_text(path.read_text().partition("\n\n")[2])
             command = [BIN / "slalom-simulate", "run", "-c", campaign, "-o", self.root / "runs.results", "--overwrite"]
-            command += ["--set", "scenarios.count=2", "--quiet"]
+            command += ["--set", "scenarios.count=1", "--quiet"]
             run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.root)
             self.assertEqual((run.returncode, run.stderr), (0, ""), path)
 
