@@ -33,16 +33,21 @@ struct NanoguiSession {
   NanoguiSession& operator=(const NanoguiSession&) = delete;
 };
 
-/// Draws the window and writes its content as PNG. Throws Error (Job).
-void save_window_picture(nanogui::Screen& screen, const std::string& path) {
-  // Like Screen::drawAll(), but the pixels are read before the buffers are swapped: afterwards they
-  // are defined only where no other window covers this one.
+/// Does the same as Screen::drawAll(), but does not swap the buffers.
+void draw_content(nanogui::Screen& screen) {
   glfwMakeContextCurrent(screen.glfwWindow());
   const nanogui::Color& background = screen.background();
   glClearColor(background.r(), background.g(), background.b(), 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   screen.drawContents();
   screen.drawWidgets();
+}
+
+/// Draws the window and writes its content as PNG. Throws Error (Job).
+void save_window_picture(nanogui::Screen& screen, const std::string& path) {
+  // The pixels are read before the buffers are swapped: afterwards they are defined only where no
+  // other window covers this one.
+  draw_content(screen);
   int width = 0, height = 0;
   glfwGetFramebufferSize(screen.glfwWindow(), &width, &height);
   const auto row = static_cast<std::size_t>(width) * 4;
@@ -123,23 +128,41 @@ bool PanelWindow::is_open() const {
   return visible() && glfwWindowShouldClose(mGLFWWindow) == 0;
 }
 
-void PanelWindow::frame() {
+void PanelWindow::update() {
   studio_->poll();
   studio_->results().overlay().clock().tick(glfwGetTime());
-  drawAll();
+}
+
+/// The panels do all as usual, but OpenGL colors no pixel, which is most of the work where a
+/// processor draws.
+void PanelWindow::draw_unseen() {
+  glfwMakeContextCurrent(glfwWindow());
+  glEnable(GL_RASTERIZER_DISCARD);
+  seen_ = false;
+  draw_content(*this);
+  seen_ = true;
+  glDisable(GL_RASTERIZER_DISCARD);
+}
+
+void PanelWindow::draw(NVGcontext* ctx) {
+  CDisplayWindowGUI::draw(ctx);
+  if (!seen_) nvgCancelFrame(ctx);
 }
 
 void PanelWindow::run() {
   while (is_open()) {
-    frame();
+    update();
+    drawAll();
     const bool playing = studio_->results().overlay().clock().playing();
     glfwWaitEventsTimeout(playing ? kPlayInterval : kIdleInterval);
   }
 }
 
 void PanelWindow::run(const std::vector<ScriptCommand>& script, const std::string& name) {
-  const auto draw_frame = [this] {
-    if (is_open()) frame();
+  const auto draw_frame = [this](bool seen) {
+    if (!is_open()) return false;
+    update();
+    seen ? drawAll() : draw_unseen();
     return is_open();
   };
   play_script(

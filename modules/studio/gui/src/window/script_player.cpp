@@ -5,6 +5,7 @@
 #include <slalom/core/text.h>
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -70,6 +71,14 @@ class ScriptPlayer {
   }
   /// For jobs, or for what they show.
   bool waits() const { return wait_start_ >= 0; }
+  /// Whether the next frame is to be seen: of `fps`, and ten times per second while a script waits.
+  bool shows_frame() {
+    if (frames_left_ > 0) return true;
+    const double now = glfwGetTime();
+    if (!waits() || now - std::max(wait_start_, shown_at_) < kWaitInterval) return false;
+    shown_at_ = now;
+    return true;
+  }
   bool ended() const { return next_ == script_.size() && pending_moves_.empty(); }
 
  private:
@@ -230,7 +239,7 @@ class ScriptPlayer {
   std::string name_;
   ScriptHost host_;
   std::size_t next_ = 0;
-  double wait_start_ = -1, frames_start_ = 0;         ///< s
+  double wait_start_ = -1, frames_start_ = 0, shown_at_ = 0;  ///< s
   std::vector<std::function<void()>> pending_moves_;  ///< of a drag, one per frame, last first
   int frames_ = 0, frames_left_ = 0;
 };
@@ -258,7 +267,7 @@ std::string shown_text(const nanogui::Widget& widget) {
 void play_script(const std::vector<ScriptCommand>& script, const std::string& name,
                  const ScriptHost& host) {
   ScriptPlayer player(script, name, host);
-  while (!player.ended() && host.draw_frame()) {
+  while (!player.ended() && host.draw_frame(player.shows_frame())) {
     player.step();
     if (player.waits())
       glfwWaitEventsTimeout(kWaitInterval);

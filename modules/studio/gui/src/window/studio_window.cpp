@@ -294,13 +294,13 @@ bool StudioWindow::is_on_rows(const nanogui::Vector2i& p) const {
          rows->contains(p - rows->parent()->absolutePosition());
 }
 
-void StudioWindow::frame() {
+void StudioWindow::update() {
   const double now = glfwGetTime();
   if (now - files_checked_at_ > kFileInterval) {
     files_checked_at_ = now;
     studio().check_files();
   }
-  PanelWindow::frame();
+  PanelWindow::update();
 }
 
 StudioSettings StudioWindow::settings() const {

@@ -31,6 +31,7 @@ class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
   void run(const std::vector<ScriptCommand>& script, const std::string& name);
 
   // Functions of nanogui:
+  void draw(NVGcontext* ctx) override;
   void performLayout(NVGcontext* ctx) override;
   bool resizeEvent(const nanogui::Vector2i& size) override;
 
@@ -43,14 +44,16 @@ class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
   /// the layout.
   void set_scale(double scale);
   virtual void arrange() = 0;
-  virtual void frame();                                ///< polls the studio and draws
+  virtual void update();                               ///< before each frame: polls the studio
   virtual void run_action(const std::string& id) = 0;  ///< of a script
 
  private:
   bool is_open() const;
+  void draw_unseen();
 
   std::unique_ptr<Studio> studio_;
   bool complete_ = false;  ///< all panels were made
+  bool seen_ = true;       ///< the frame that is drawn
 };
 
 }  // namespace slalom

@@ -47,7 +47,7 @@ class StudioWindow : public PanelWindow {
   nanogui::Widget* focused_text_field() const;  ///< null for none
   bool dialog_open() const;
   bool is_on_rows(const nanogui::Vector2i& p) const;
-  void frame() override;
+  void update() override;
 
   Actions actions_;
   StudioSettings settings_;
