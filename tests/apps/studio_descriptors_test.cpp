@@ -20,13 +20,30 @@ class StudioDescriptors : public StudioTest {
   }
 };
 
-TEST_F(StudioDescriptors, EqualThoseOfTheCommandLine) {
+TEST_F(StudioDescriptors, EqualThoseOfTheCommandLineAndChooseTheHistogramByRowAndByKeys) {
   make_list(2);
   const nlohmann::json expected = described();
   char density[64];
   std::snprintf(density, sizeof density, "density = %.4f\n", expected["density"].get<double>());
   const std::string shown = expect_played(
-      "wait idle\nclick list \"row 0\"\nwait idle\nprint descriptors\n", "a.scenarios");
+      "wait idle\n"
+      "click list \"row 0\"\n"
+      "wait idle\n"
+      "print descriptors\n"
+      "click descriptors \"row clearness\"\n"
+      "expect descriptors contains \"selected clearness\"\n"
+      "key Down\n"
+      "expect descriptors contains \"selected clearness_mean_distance\"\n"
+      "key Tab\n"
+      "wait idle\n"
+      "expect descriptors contains \"histogram of Mean distance to obstacles (m)\"\n"
+      "key Up\n"
+      "wait idle\n"
+      "expect descriptors contains \"histogram of Clearness\"\n"
+      "click descriptors \"descriptor next\"\n"
+      "wait idle\n"
+      "expect descriptors contains \"histogram of Mean distance to obstacles (m)\"\n",
+      "a.scenarios");
   EXPECT_NE(shown.find(density), std::string::npos) << shown << density;
   EXPECT_NE(shown.find(" m\n"), std::string::npos) << shown;
   EXPECT_EQ(shown.find("..."), std::string::npos) << shown;
@@ -68,26 +85,6 @@ TEST_F(StudioDescriptors, AreComputedForTheListAndCounted) {
       "expect list contains \"<= density < \"\n"
       "click descriptors \"tab values\"\n"
       "expect descriptors lacks \"density = -\"\n",
-      "a.scenarios");
-}
-
-TEST_F(StudioDescriptors, ChooseTheHistogramByRowAndByKeys) {
-  make_list(2);
-  expect_played(
-      "wait idle\n"
-      "click descriptors \"row clearness\"\n"
-      "expect descriptors contains \"selected clearness\"\n"
-      "key Down\n"
-      "expect descriptors contains \"selected clearness_mean_distance\"\n"
-      "key Tab\n"
-      "wait idle\n"
-      "expect descriptors contains \"histogram of Mean distance to obstacles (m)\"\n"
-      "key Up\n"
-      "wait idle\n"
-      "expect descriptors contains \"histogram of Clearness\"\n"
-      "click descriptors \"descriptor next\"\n"
-      "wait idle\n"
-      "expect descriptors contains \"histogram of Mean distance to obstacles (m)\"\n",
       "a.scenarios");
 }
 

@@ -2,30 +2,63 @@
 #pragma once
 
 #include "program_run.h"
+#include "temporary_folder.h"
 
 #include <csignal>
 #include <fcntl.h>
+#include <functional>
+#include <map>
 #include <unistd.h>
 
 namespace slalom {
 
-/// Runs Slalom Studio in a virtual X server with software OpenGL, controlled by scripts. Skipped
-/// without Xvfb.
+/// A virtual X server.
+class XServer {
+ public:
+  XServer() {
+    int pipe_ends[2];
+    if (pipe(pipe_ends) != 0) return;
+    process_ = fork();
+    if (process_ == 0) {
+      const std::string fd = std::to_string(pipe_ends[1]);
+      const int null_device = open("/dev/null", O_WRONLY);
+      dup2(null_device, STDERR_FILENO);
+      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1920x1080x24", "-nolisten",
+             "tcp", "-noreset", static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    close(pipe_ends[1]);
+    std::string number;
+    for (char c = 0; ::read(pipe_ends[0], &c, 1) == 1 && c != '\n';) number += c;
+    close(pipe_ends[0]);
+    if (!number.empty()) display_ = ":" + number;
+  }
+  ~XServer() {
+    if (process_ <= 0) return;
+    kill(process_, SIGTERM);
+    waitpid(process_, nullptr, 0);
+  }
+  XServer(const XServer&) = delete;
+  XServer& operator=(const XServer&) = delete;
+
+  const std::string& display() const { return display_; }  ///< ":7"; empty if it did not start
+
+ private:
+  pid_t process_ = -1;
+  std::string display_;
+};
+
+/// Runs Slalom Studio in a virtual X server, one for all tests, with software OpenGL, controlled by
+/// scripts. Skipped without Xvfb.
 class StudioTest : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
     if (std::system("command -v Xvfb >/dev/null 2>&1") != 0)
       GTEST_SKIP() << "needs the package xvfb";
-    start_server();
+    static const XServer server;
+    display_ = server.display();
     ASSERT_FALSE(display_.empty()) << "Xvfb does not start";
-  }
-  void TearDown() override {
-    if (server_ > 0) {
-      kill(server_, SIGTERM);
-      waitpid(server_, nullptr, 0);
-    }
-    ProgramTest::TearDown();
   }
 
   /// Environment variables of the program. Leak detection is off, because OpenGL drivers free their
@@ -52,36 +85,34 @@ class StudioTest : public ProgramTest {
   /// Generates a list of small scenarios, named random_0000 and so on.
   void make_list(int count, const std::string& name = "a.scenarios", int seed = 7) const {
     write("generate.ini", kSmallCampaign);
+    std::string& bytes = lists()[{count, seed}];
+    if (!bytes.empty()) return write(name, bytes);
     const ProgramResult result =
         run("slalom-scenarios generate -c generate.ini -n " + std::to_string(count) + " --seed " +
             std::to_string(seed) + " -o " + name + " --quiet");
     ASSERT_EQ(result.status, 0) << result.err;
+    bytes = read(name);
   }
 
-  std::string display_;  ///< ":7"
+  /// Fills the test's folder by the first test of a suite, and copies it for the others.
+  void make_once(const std::function<void()>& make) const {
+    static std::map<std::string, TemporaryFolder> made;
+    const auto [first, is_first] =
+        made.try_emplace(testing::UnitTest::GetInstance()->current_test_info()->test_suite_name());
+    if (is_first) make();
+    const std::filesystem::path kept = first->second / "";
+    std::filesystem::copy(is_first ? folder_ : kept, is_first ? kept : folder_,
+                          std::filesystem::copy_options::recursive);
+  }
+
+  std::string display_;
 
  private:
-  void start_server() {
-    int pipe_ends[2];
-    ASSERT_EQ(pipe(pipe_ends), 0);
-    server_ = fork();
-    if (server_ == 0) {
-      const std::string fd = std::to_string(pipe_ends[1]);
-      const int null_device = open("/dev/null", O_WRONLY);
-      dup2(null_device, STDERR_FILENO);
-      execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1920x1080x24", "-nolisten",
-             "tcp", static_cast<char*>(nullptr));
-      _exit(127);
-    }
-    close(pipe_ends[1]);
-    std::string number;
-    for (char c = 0; read_one(pipe_ends[0], c) && c != '\n';) number += c;
-    close(pipe_ends[0]);
-    if (!number.empty()) display_ = ":" + number;
+  /// The lists that were generated, by number of scenarios and seed.
+  static std::map<std::pair<int, int>, std::string>& lists() {
+    static std::map<std::pair<int, int>, std::string> made;
+    return made;
   }
-  static bool read_one(int file, char& c) { return ::read(file, &c, 1) == 1; }
-
-  pid_t server_ = -1;
 };
 
 }  // namespace slalom

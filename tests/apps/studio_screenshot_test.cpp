@@ -89,8 +89,10 @@ class StudioScreenshot : public StudioTest {
   void SetUp() override {
     StudioTest::SetUp();
     if (IsSkipped()) return;
-    write("pictures.ini", kPictureCampaign);
-    ASSERT_EQ(run("slalom-evaluate pictures.ini -o out --quiet").status, 0);
+    make_once([this] {
+      write("pictures.ini", kPictureCampaign);
+      ASSERT_EQ(run("slalom-evaluate pictures.ini -o out --quiet").status, 0);
+    });
   }
 
   /// Plays the script and compares its picture. With SLALOM_KEEP_PICTURES in the environment it is
