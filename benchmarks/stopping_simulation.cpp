@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How often the interval of a campaign that stopped by its width holds the true mean, and how many
-// scenarios that took: the table of docs/campaigns.md. One method in one bin; rates are computed
-// exactly by the test of look_confidence().
+// scenarios that took: the table of docs/guide/campaigns.md. One method in one bin; rates are
+// computed exactly by the test of look_confidence().
 //
 //   build/release/bin/stopping_simulation [CAMPAIGNS]
 

@@ -106,7 +106,7 @@ check_test_bed() {
   emulated slalom-scenarios generate -c "configs/testbeds/$1.ini" -o "$list" -j "$jobs" --quiet --overwrite \
     >>"$log.test"
   compare "$1" "$(emulated slalom-scenarios list "$list" --hash)" \
-    "$(sed -n "s/^| \`$1\`.*\`\([0-9a-f]\{32\}\)\` |.*/\1/p" docs/testbeds.md)"
+    "$(sed -n "s/^| \`$1\`.*\`\([0-9a-f]\{32\}\)\` |.*/\1/p" docs/reference/testbeds.md)"
 }
 
 # Omits MRPT's method, in whose package for arm64 products and sums are rounded at once.

@@ -3,7 +3,7 @@
 """Fails if a document has a broken link, or words of a laboratory notebook: check_documents.py [FILE...]
 
 Documents describe the present program to its users: measurements in progress and the history of defects belong in commit
-messages. Without files: README.md, CHANGELOG.md, CONTRIBUTING.md, docs/*.md and the pages of packages,
+messages. Without files: README.md, CHANGELOG.md, CONTRIBUTING.md, docs/ and the pages of packages,
 modules/*/README.md. Code, output and pictures are not read."""
 
 import pathlib
@@ -84,7 +84,7 @@ def main():
     names = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"]
     paths = [pathlib.Path(name) for name in sys.argv[1:]]
     paths = paths or [ROOT / name for name in names] + [
-        *sorted((ROOT / "docs").glob("*.md")), *sorted((ROOT / "modules").glob("*/README.md"))]
+        *sorted((ROOT / "docs").rglob("*.md")), *sorted((ROOT / "modules").glob("*/README.md"))]
     count = 0
     for path in paths:
         for finding in findings(path):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the table of docs/claims.md again: scripts/claims.py FOLDER [NAME...]
+"""Makes the table of docs/results/claims.md again: scripts/claims.py FOLDER [NAME...]
 
-Each claim of configs/claims, or of the arguments, is a campaign with a section [claim], described in docs/claims.md. It is
+Each claim of configs/claims, or of the arguments, is a campaign with a section [claim], described in docs/results/claims.md. It is
 judged with each of five seeds; a verdict that changes with the seed is undecided. FOLDER has the campaign and the results, which are continued or used again: delete those of methods that have changed. The
 table is written to FOLDER/claims.md. Environment variables: JOBS, the number of workers (2); BARN, the folder of that data
 set, without which the claims about it are left out.
@@ -202,7 +202,7 @@ def main():
         print(f"{name}: {found}, {seeds}, {effect}, {evidence}, {time.time() - begin:.0f} s", file=sys.stderr)
         source = f"[{claim['source']}]({claim['url']})" if claim["url"] else claim["source"]
         says = " ".join(f"{claim['says']} {source}".split())
-        cells = [f"[{name}](../configs/claims/{name}.ini)", says, f"**{found}**", seeds, str(count), effect, evidence]
+        cells = [f"[{name}](../../configs/claims/{name}.ini)", says, f"**{found}**", seeds, str(count), effect, evidence]
         lines.append("| " + " | ".join(cells) + " |")
     (folder / "claims.md").write_text("\n".join(lines) + "\n")
     print(folder / "claims.md")

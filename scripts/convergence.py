@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints how descriptors depend on the cell size, as the table of docs/definitions.md: for each size the bias of the mean
+"""Prints how descriptors depend on the cell size, as the table of docs/reference/definitions.md: for each size the bias of the mean
 against the finest cells, and the rank correlation with their values, over 24 generated scenarios with walkers:
 scripts/convergence.py [DESCRIPTOR...]
 

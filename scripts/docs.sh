@@ -15,7 +15,7 @@ version=$(sed -n 's/^project(slalom VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 # Its first page is the table of modules.
 {
   echo "# Slalom's modules {#mainpage}"
-  sed -n '/^## Modules$/,/^## Design invariants$/p' docs/architecture.md | sed '1d;$d'
+  sed -n '/^## Modules$/,/^## Design invariants$/p' docs/develop/architecture.md | sed '1d;$d'
 } >"$work/modules.md"
 {
   cat docs/Doxyfile

@@ -4,6 +4,7 @@ page of registries to that of the site, and the search works in pages opened as 
 start no worker of another file."""
 import json
 import pathlib
+import posixpath
 import re
 
 from mkdocs.structure.files import File
@@ -18,12 +19,12 @@ def on_config(config):
     section_of = {}
     for section in (docs / "README.md").read_text().split("\n## ")[1:]:
         for _, target, _ in LINK.findall(section):
-            if target.endswith(".md") and "/" not in target:
+            if target.endswith(".md") and not target.startswith("../"):
                 section_of.pop(target, None)
                 section_of[target] = section.split("\n", 1)[0]
-    for page in sorted(docs.glob("*.md")):
+    for page in sorted(docs.rglob("*.md")):
         if page.name != "README.md":
-            section_of.setdefault(page.name, "More")
+            section_of.setdefault(str(page.relative_to(docs)), "More")
     sections = {}
     for page, section in section_of.items():
         sections.setdefault(section, []).append(page)
@@ -55,14 +56,15 @@ def on_page_markdown(markdown, page, config, files):
         return f"```{language}" if file == "no-run" else f"`{file}`:\n\n```{language}"
     def resolve(match):
         text, target, anchor = match.groups()
-        if not target.startswith("../"):
+        folder = posixpath.dirname(page.file.src_path)
+        if not posixpath.normpath(posixpath.join(folder, target)).startswith("../"):
             return match[0]
         path = "api/" + header_page(target)
-        return f"[{text}]({path})" if files.get_file_from_path(path) else text
+        return f"[{text}]({posixpath.relpath(path, folder)})" if files.get_file_from_path(path) else text
     if page.file.src_path == "README.md" and files.get_file_from_path("api/index.html"):
         markdown += "\n## API reference\n\n[All modules and headers](api/index.html)\n"
-    if page.file.src_path == "registry.md" and files.get_file_from_path("registry/index.html"):
-        markdown += "\n[The registry of this site](registry/index.html)\n"
+    if page.file.src_path == "guide/registry.md" and files.get_file_from_path("registry/index.html"):
+        markdown += "\n[The registry of this site](../registry/index.html)\n"
     return LINK.sub(resolve, FENCE.sub(name, markdown))
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the tables of docs/baselines-limits.md again: scripts/limits.py FOLDER [METHOD...]
+"""Makes the tables of docs/results/baselines-limits.md again: scripts/limits.py FOLDER [METHOD...]
 
 Methods are those of configs/baselines.ini by default. Each has its certificates in FOLDER, which are used again if they
 are complete: delete those of methods that have changed. The tables, as Markdown, are printed. Environment variable:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the tables of docs/baselines-people.md again: scripts/people.py FOLDER [METHOD...]
+"""Makes the tables of docs/results/baselines-people.md again: scripts/people.py FOLDER [METHOD...]
 
 The methods of configs/baselines.ini, or of the arguments, in slalom-people-small when nobody, half and all of the
 people notice the robot, and all by ORCA. FOLDER has a result file for each, which is continued or used again: delete

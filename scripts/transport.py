@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the tables of docs/transport.md again: scripts/transport.py FOLDER [METHOD...]
+"""Makes the tables of docs/results/transport.md again: scripts/transport.py FOLDER [METHOD...]
 
 The methods of configs/baselines.ini, or of the arguments, in slalom-small under several settings of robot and sensor,
 and in other test beds: how far their order in success is kept, and which comparisons of two methods one setting turns.

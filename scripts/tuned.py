@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the table of docs/baselines-tuned.md again: scripts/tuned.py FOLDER [METHOD...]
+"""Makes the table of docs/results/baselines-tuned.md again: scripts/tuned.py FOLDER [METHOD...]
 
 Each method of configs/baselines.ini, or of the arguments, is tuned on parts of slalom-standard, with its results in
 FOLDER/METHOD, which are used again: delete those of methods that have changed. Environment variable: JOBS, the number of

@@ -72,7 +72,7 @@ void define_play(CLI::App& app) {
       verb->add_flag("--gui", arguments.window, "Replay it in a window with slider and plots");
   verb->add_option(
           "--script", arguments.script,
-          "Execute the user actions of this file in the window, then exit (docs/studio.md)")
+          "Execute the user actions of this file in the window, then exit (docs/guide/studio.md)")
       ->needs(window);
   verb->add_option("--png", arguments.folder, "Output folder for frame_000000.png, ...");
   verb->add_option("--every", arguments.every, "Control cycles per image")

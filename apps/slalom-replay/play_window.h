@@ -10,7 +10,7 @@
 namespace slalom {
 
 /// Replays a recorded run in a window until it is closed; with a script (a file name, see
-/// docs/studio.md) until the script ends. Throws Error (Job) if no window can be opened.
+/// docs/guide/studio.md) until the script ends. Throws Error (Job) if no window can be opened.
 void show_run(const RecordedRun& run, const Scenario& scenario, const CampaignOptions& options,
               const std::string& log, const std::string& script);
 

@@ -121,7 +121,7 @@ void define(CLI::App& app) {
                  "that of the desktop; 1 with --script)")
       ->check(CLI::Range(kMinScale, kMaxScale));
   app.add_option("--script", arguments.script,
-                 "Plays the user input of a script file, then exits (docs/studio.md)");
+                 "Plays the user input of a script file, then exits (docs/guide/studio.md)");
   app.add_option("--settings", arguments.settings,
                  "File of the window layout and recent files (.ini; default: "
                  "~/.config/slalom/studio.ini, none with --script)");

@@ -6,7 +6,7 @@
 
 Chen, Liu, Kreiss and Alahi: Crowd-robot interaction (ICRA 2019); crowd_sim/envs/crowd_sim.py of vita-epfl/CrowdNav. Case k
 has the seed 1000 + k of numpy's legacy generator. Sine and cosine round correctly, so that starts are equal to the bit on
-all machines. For the hash see docs/testbeds.md: slalom-scenarios list crowdnav-500.scenarios --hash"""
+all machines. For the hash see docs/reference/testbeds.md: slalom-scenarios list crowdnav-500.scenarios --hash"""
 import math
 import pathlib
 import random

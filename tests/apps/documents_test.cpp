@@ -15,7 +15,7 @@ namespace {
 const std::string kPythonPackage = kBuild + "/lib/python";
 
 /// The commands of the documents print what the documents show: "Commands in documents" in
-/// docs/architecture.md.
+/// docs/develop/architecture.md.
 
 using Lines = std::vector<std::string>;
 
@@ -151,18 +151,18 @@ std::string line_or_end(const Lines& lines, std::size_t index) {
   return index < lines.size() ? lines[index] : "(the end)";
 }
 
-/// Documents with commands, by their names without ".md".
-std::vector<std::string> documents() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kDocs))
+/// Documents with commands.
+std::vector<std::filesystem::path> documents() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kDocs))
     if (entry.path().extension() == ".md" &&
         has_commands(DocumentParser(read_text(entry.path())).steps()))
-      names.push_back(entry.path().stem());
-  std::sort(names.begin(), names.end());
-  return names;
+      paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
 }
 
-class Documents : public ProgramTest, public testing::WithParamInterface<std::string> {
+class Documents : public ProgramTest, public testing::WithParamInterface<std::filesystem::path> {
  protected:
   /// A private network, if permitted, for methods in other processes.
   static void SetUpTestSuite() {
@@ -204,7 +204,7 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
     const std::string status = read(".status_" + std::to_string(i));
     const std::string problem = difference(step, status.empty() ? -1 : std::stoi(status), printed);
     if (problem.empty()) return;
-    ADD_FAILURE() << "docs/" << GetParam() << ".md:" << step.line << ": $ " << step.command
+    ADD_FAILURE() << GetParam().string() << ":" << step.line << ": $ " << step.command
                   << "\nexpected:\n"
                   << text_of(step.shown, "  ") << "printed:\n"
                   << text_of(printed, "  ") << problem;
@@ -231,7 +231,7 @@ class Documents : public ProgramTest, public testing::WithParamInterface<std::st
 };
 
 TEST_P(Documents, CommandsPrintWhatIsShown) {
-  const std::string text = read_text(kDocs + "/" + GetParam() + ".md");
+  const std::string text = read_text(GetParam());
   if (!has_multicast_ && text.find("$ lcm-logger") != std::string::npos)
     GTEST_SKIP() << "neither a private network nor one with multicast";
   if (text.find("$ python3") != std::string::npos && !std::filesystem::exists(kPythonPackage))
@@ -243,7 +243,7 @@ TEST_P(Documents, CommandsPrintWhatIsShown) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Documents, testing::ValuesIn(documents()),
-                         [](const auto& document) { return document.param; });
+                         [](const auto& document) { return document.param.stem().string(); });
 
 TEST(DocumentsTest, ReadsFilesCommandsAndTheirOutput) {
   const std::vector<Step> steps = DocumentParser(R"(text

@@ -71,7 +71,7 @@ TEST_F(Library, GivesTheValuesOfTheProgram) {
   expect_same(table.descriptors, expected, find_descriptor);
 }
 
-// The example of docs/library.md, with fewer scenarios.
+// The example of docs/develop/library.md, with fewer scenarios.
 TEST_F(Library, TunesByTheFunctionsOfTheAnalysis) {
   PassageOptions family;
   family.min_width = 0.68;

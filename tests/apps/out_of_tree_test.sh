@@ -31,8 +31,8 @@ done
 sed -i 's,/usr/share/mrpt,/nonexistent,' "$folder/installed/share/slalom/configs/demo.ini"
 (cd "$folder" && "$folder/installed/bin/slalom-evaluate" --demo --quiet --set campaign.methods=follow_the_gap >/dev/null && test -s slalom-demo/report/index.html)
 
-# docs/library.md shows the program and its output.
-block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$source/docs/library.md" | sed '1d;$d'; }
+# docs/develop/library.md shows the program and its output.
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$source/docs/develop/library.md" | sed '1d;$d'; }
 # Its components need no packages of others.
 build_example library_cpp $(printf -- '-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON ' ompl pybind11 Python OpenCV mrpt-gui)
 diff <(block cpp) main.cpp

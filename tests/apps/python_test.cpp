@@ -153,7 +153,7 @@ TEST_F(PythonProgramTest, AMissingModuleStopsBeforeTheFirstRun) {
 
 TEST_F(PythonProgramTest, TheExampleIsTheOneInTheDocuments) {
   const std::string source = kSource;
-  const std::string document = read_text(source + "/docs/methods.md");
+  const std::string document = read_text(source + "/docs/methods/methods.md");
   const std::string module = read_text(source + "/examples/python_method/my_method.py");
   std::string ini = read_text(source + "/examples/python_method/campaign.ini");
   ini.erase(0, ini.find('\n') + 1);  // the comment that says how to run it

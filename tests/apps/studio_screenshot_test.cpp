@@ -113,7 +113,7 @@ class StudioScreenshot : public StudioTest {
     const auto copy = std::filesystem::path(testing::TempDir()) / (name + ".png");
     std::filesystem::copy_file(taken, copy, std::filesystem::copy_options::overwrite_existing);
     ADD_FAILURE() << different << " of the pixels of " << copy << " differ from " << kept
-                  << "; docs/studio.md says how to keep it if it is right";
+                  << "; docs/guide/studio.md says how to keep it if it is right";
   }
 };
 

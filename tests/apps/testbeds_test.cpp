@@ -9,7 +9,7 @@ class TestBeds : public ProgramTest {
  protected:
   /// The hash of the set with this name in the table of the documentation, or "".
   static std::string documented_hash(const std::string& name) {
-    std::istringstream lines(read_text(kDocs + "/testbeds.md"));
+    std::istringstream lines(read_text(kDocs + "/reference/testbeds.md"));
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("| `" + name + "`", 0) != 0) continue;
       const std::size_t end = line.rfind("` |");

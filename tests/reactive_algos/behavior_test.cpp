@@ -161,7 +161,8 @@ TEST(Behavior, ADoorIsBlockedForForceFieldsAndPassedByNearnessDiagrams) {
     EXPECT_EQ(outcome(method, world), "success") << method.name;
 }
 
-/// The table of docs/methods.md. The reference distance is that of each trajectory generator.
+/// The table of docs/methods/methods.md. The reference distance is that of each trajectory
+/// generator.
 TEST(Behavior, WhetherCHolonomicNDPassesADoorDependsOnWhatSurroundsIt) {
   const std::string nd = kMrptNd.keys;
   const std::string distance = "refDistance=3; CReactiveNavigationSystem.PTG";

@@ -73,11 +73,11 @@ check_dumps() {
   [ $failed -eq 0 ] || for machine in "${machines[@]}"; do check_dump "${machine%%|*}" "${machine#*|}"; done
 }
 
-# Compares the hash of a test bed on a machine with that of docs/testbeds.md: check_test_bed SET NAME ENVIRONMENT...
+# Compares the hash of a test bed on a machine with that of docs/reference/testbeds.md: check_test_bed SET NAME ENVIRONMENT...
 check_test_bed() {
   local set=$1 name=$2 documented seen
   shift 2
-  documented=$(sed -n "s/^| \`$set\` .*\`\([0-9a-f]\{32\}\)\` |.*/\1/p" "$sources/docs/testbeds.md")
+  documented=$(sed -n "s/^| \`$set\` .*\`\([0-9a-f]\{32\}\)\` |.*/\1/p" "$sources/docs/reference/testbeds.md")
   env "$@" slalom-scenarios generate -c "$sources/configs/testbeds/$set.ini" -o "$set.scenarios" -j 2 --quiet >/dev/null
   seen=$(env "$@" slalom-scenarios list "$set.scenarios" --hash)
   rm "$set.scenarios"

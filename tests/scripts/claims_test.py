@@ -121,13 +121,13 @@ class Claims(unittest.TestCase):
         self.assertIn("**not run** | – | – | – | needs BARN |", self.row(PLANTED.replace("test", "barn = 0-9\ntest", 1)))
 
     def test_each_claim_is_in_the_ledger_and_its_campaign_runs(self):
-        page = (SOURCES / "docs/claims.md").read_text()
+        page = (SOURCES / "docs/results/claims.md").read_text()
         self.assertGreaterEqual(len(CLAIMS), 15)
-        listed = re.findall(r"^\| \[(\w+)\]\(\.\./configs/claims/\1\.ini\)", page, re.M)
+        listed = re.findall(r"^\| \[(\w+)\]\(\.\./\.\./configs/claims/\1\.ini\)", page, re.M)
         self.assertEqual(listed, [path.stem for path in CLAIMS])
         found = [page.count(f"| **{one}") for one in ("confirmed**", "refuted", "undecided**")]
         self.assertEqual(sum(found), len(CLAIMS))
-        for name in ("README.md", "docs/claims.md", "docs/validity.md"):
+        for name in ("README.md", "docs/results/claims.md", "docs/guide/validity.md"):
             told = re.search(r"(\d+) are confirmed\D+(\d+) refuted\D+(\d+) undecided", (SOURCES / name).read_text())
             self.assertEqual([int(one) for one in told.groups()], found, name)
         for path in CLAIMS:

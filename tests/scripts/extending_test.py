@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The diffs in docs/extending.md apply to the tree, one after another, and their sources compile:
+"""The diffs in docs/develop/extending.md apply to the tree, one after another, and their sources compile:
 extending_test.py SOURCES BUILD"""
 
 import json
@@ -58,8 +58,8 @@ def by_target(files):
 
 def main():
     sources, build = (pathlib.Path(path).resolve() for path in sys.argv[1:])
-    found = diffs((sources / "docs/extending.md").read_text())
-    assert len(found) >= 5, f"{len(found)} diffs in docs/extending.md"
+    found = diffs((sources / "docs/develop/extending.md").read_text())
+    assert len(found) >= 5, f"{len(found)} diffs in docs/develop/extending.md"
     failed = False
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder)
@@ -68,17 +68,17 @@ def main():
         for number, diff in enumerate(found, 1):
             applied = subprocess.run(["git", "apply", "-"], input=diff, text=True, cwd=tree)
             if applied.returncode != 0:
-                print(f"diff {number} of docs/extending.md does not apply")
+                print(f"diff {number} of docs/develop/extending.md does not apply")
                 failed = True
         files = [name for diff in found for name in re.findall(r"^\+\+\+ b/(\S+\.cpp)$", diff, re.MULTILINE)]
         for target, together in by_target(files).items():
             command = [moved(word, sources, build, tree) for word in flags(build, target)]
-            command += [f"-I{path}" for path in sorted(tree.glob("adapters/*/include"))]
+            command += [f"-I{path}" for path in sorted(tree.glob("adapters/*/*/include"))]
             command += ["-fsyntax-only", "-x", "c++", "-"]
             # Compiles in one go, like unity builds: reading the headers takes most of the time.
             lines = "".join(f'#include "{tree / name}"\n' for name in together)
             if subprocess.run(command, input=lines, text=True).returncode != 0:
-                print(f"{', '.join(together)} of docs/extending.md: does not compile")
+                print(f"{', '.join(together)} of docs/develop/extending.md: does not compile")
                 failed = True
     sys.exit(failed)
 

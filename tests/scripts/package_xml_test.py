@@ -26,6 +26,6 @@ assert package.get_build_type() == "cmake"
 assert (source / package.licenses[0].file).exists(), package.licenses
 
 # Packages of Debian without a key of rosdep are in the command of the documents.
-command = re.search(r"\$ sudo apt install (.*)", (source / "docs/platforms.md").read_text()).group(1).split()
+command = re.search(r"\$ sudo apt install (.*)", (source / "docs/start/platforms.md").read_text()).group(1).split()
 required = {line for line in (source / "scripts/packages.txt").read_text().split("\n") if line and line[0] != "#"}
 assert set(command) <= required, set(command) - required

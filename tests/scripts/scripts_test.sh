@@ -47,7 +47,7 @@ chmod +x "$work"/ubuntu/*
 PATH="$work/ubuntu:$PATH" "$sources/scripts/install_packages.sh" >"$work/out" 2>"$work/err"
 expect "a system without MRPT is an error" test $? = 1
 expect_text "which names what is missing, and no more" "Not available here: libmrpt-dev" <(grep -x 'Not.*mrpt-dev' "$work/err")
-expect_text "and the way to take" "its archive runs on any x86-64 Linux with glibc 2.35 or newer: docs/install.md" "$work/err"
+expect_text "and the way to take" "its archive runs on any x86-64 Linux with glibc 2.35 or newer: docs/start/install.md" "$work/err"
 expect "nothing is installed there" not grep -q install "$work/calls"
 
 # Progress: a line for each tenth, and all else that the build says.

@@ -113,14 +113,14 @@ class Links(html.parser.HTMLParser):
 
 
 def broken_links(site):
-    for page in site.glob("*.html"):
+    for page in site.rglob("*.html"):
         if page.name == "404.html":
             continue
         links = Links()
         links.feed(page.read_text())
         for target in links.targets:
             if target and ":" not in target and not (page.parent / target).exists():
-                yield f"{page.name}: {target}"
+                yield f"{page.relative_to(site)}: {target}"
 
 
 def main(source):
@@ -132,23 +132,24 @@ def main(source):
         site = pathlib.Path(folder) / "site"
         settings = {"SLALOM_API": "OFF", "SLALOM_REGISTRY": str(make_entry(folder))}
         subprocess.run([f"{source}/scripts/docs.sh", site], check=True, env={**os.environ, **settings})
-        pages = {page.stem for page in pathlib.Path(source, "docs").glob("*.md")} - {"README"} | {"index"}
-        assert pages <= {page.stem for page in site.glob("*.html")}, "a page is missing"
+        docs = pathlib.Path(source, "docs")
+        pages = {page.relative_to(docs).with_suffix(".html") for page in docs.rglob("*.md") if page.name != "README.md"}
+        assert all((site / page).exists() for page in pages), "a page is missing"
         assert not list(broken_links(site)), list(broken_links(site))
-        assert 'href="registry/index.html"' in (site / "registry.html").read_text(), "no link to the registry"
+        assert 'href="../registry/index.html"' in (site / "guide/registry.html").read_text(), "no link to the registry"
         rows = json.loads((site / "registry/registry.json").read_text())["tables"][0]
         row = dict(zip(rows["columns"], rows["rows"][0]))
         assert row["method"] == "go_to_goal" and row["verified"].startswith("1 of 2 runs verified"), row
         assert not list(broken_links(site / "registry")), list(broken_links(site / "registry"))
         text = (site / "index.html").read_text()
-        assert all(f'href="{page}.html' in text for page in pages - {"index"}), "a page is not in the menu"
+        assert all(f'href="{page}' in text for page in pages), "a page is not in the menu"
         with Browser() as browser:
-            for page in sorted(site.glob("*.html")):
+            for page in sorted([site / "index.html", *(site / page for page in pages)]):
                 for scheme in ("default", "slate"):
                     contrast, has_fences = browser.wait_for(f"file://{page}", f"document.readyState === 'complete' && {LOOK}('{scheme}')")
                     assert not has_fences, f"{page.name} shows fences"
                     assert contrast >= 4.5, f"links of {page.name} have a contrast of {contrast} in {scheme}"
-            found = browser.wait_for(f"file://{site}/tutorial.html?q=troubleshooting", FOUND)
+            found = browser.wait_for(f"file://{site}/start/tutorial.html?q=troubleshooting", FOUND)
             assert any("/troubleshooting.html" in url for url in found), found
 
 

@@ -7,7 +7,7 @@
     results = slalom.evaluate({"mine": MyMethod, "nd": slalom.mrpt_holonomic("CHolonomicND")}, scenarios)
     print(results.table("density:4", ["success", "optimality"]))
 
-A method is a class as described in docs/methods.md. Lengths are in m, angles in rad, times in s.
+A method is a class as described in docs/methods/methods.md. Lengths are in m, angles in rad, times in s.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ TRAJECTORY_COLUMNS = (
 )
 
 
-#: A class, a class and its options, or keys as in an .ini: see docs/methods.md.
+#: A class, a class and its options, or keys as in an .ini: see docs/methods/methods.md.
 Method = Union[type, Tuple[type, Dict[str, Any]], Dict[str, Any]]
 
 

@@ -330,7 +330,7 @@ TEST_F(RosParameterCampaign, ValuesThatTheMethodRefusesAreNamedWithTheirLine) {
 }
 
 TEST(TestBedNames, AreThoseOfTheHashesInTheDocumentation) {
-  std::istringstream lines(read_file(kDocs + "/testbeds.md"));
+  std::istringstream lines(read_file(kDocs + "/reference/testbeds.md"));
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line);) {
     const std::size_t hash = line.rfind("` | ") - 32;

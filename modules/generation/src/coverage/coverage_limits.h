@@ -12,7 +12,7 @@ namespace slalom {
 constexpr double kMaxCellSize = 0.25;
 
 /// Why no scenario within the plan's limits can lie in a bin, or nullopt if that is not proved. The
-/// proofs are in docs/scenarios.md.
+/// proofs are in docs/guide/scenarios.md.
 std::optional<std::string> infeasibility_reason(const CoverageBins& bins, std::size_t bin,
                                                 const CoverageOptions& options,
                                                 const CoverageSettings& settings);

@@ -81,11 +81,12 @@ TEST(RosParameterTable, NoRowIsThereTwice) {
 
 TEST(RosParameterTable, IsThatOfTheDocument) {
   const std::string document =
-      read_text(kDocs + "/nav2_parameters.md", "a document", kMaxConfigSize);
+      read_text(kDocs + "/methods/nav2_parameters.md", "a document", kMaxConfigSize);
   for (const RosFamily family : enum_values<RosFamily>()) {
     const std::string section = "\n### " + to_string(family) + "\n\n" + markdown_table(family);
-    EXPECT_NE(document.find(section), std::string::npos) << "docs/nav2_parameters.md has not\n"
-                                                         << section;
+    EXPECT_NE(document.find(section), std::string::npos)
+        << "docs/methods/nav2_parameters.md has not\n"
+        << section;
   }
 }
 

@@ -45,7 +45,7 @@ struct DocumentedMetric {
 
 /// The rows of the documentation's table of metrics.
 std::vector<DocumentedMetric> documented_metrics() {
-  std::ifstream file(kDocs + "/definitions.md");
+  std::ifstream file(kDocs + "/reference/definitions.md");
   std::vector<DocumentedMetric> metrics;
   std::string line;
   while (std::getline(file, line) && line != "## Metrics") continue;

@@ -27,7 +27,7 @@ class OrcaRobot : public Method {
   }
 };
 
-/// The setup of docs/testbeds.md.
+/// The setup of docs/reference/testbeds.md.
 RunSetup crowdnav_setup() {
   RunSetup setup;
   setup.robot.kinematics = Kinematics::Holonomic;

@@ -230,7 +230,7 @@ TEST_F(PageMeasures, PicturesAreDarkForReadersWhoPreferDarkPages) {
 }
 
 // Ten times the times that are aimed at: 1 s to the first paint, 0.1 s for what the reader does
-// (the machine of a test may be busy). docs/report.md has measured times.
+// (the machine of a test may be busy). docs/guide/report.md has measured times.
 TEST_F(PageMeasures, TenThousandRunsAreDrawnAndFilteredWithoutDelay) {
   make_report({4, 250, 10});
   ASSERT_EQ(report_json()["runs"].size(), 10000u);

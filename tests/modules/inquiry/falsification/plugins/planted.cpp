@@ -2,9 +2,10 @@
 // Follow-the-gap with a planted defect that begins in rare situations, so that tests know what a
 // search has to find. Key defect: none, watch, or one of kDefects.
 //
-// The ten are rare: docs/benchmarks.md has their rates in random scenarios, 1.7e-4 to 3.5e-3.
-// Measured in the random half of a search with the version without defect as the witness, seed 1,
-// cells of 5 cm: squeeze 349 fair failures in 6,000 runs, tie 20 in 6,000, crash 67 in 800.
+// The ten are rare: docs/results/benchmarks.md has their rates in random scenarios, 1.7e-4
+// to 3.5e-3. Measured in the random half of a search with the version without defect as the
+// witness, seed 1, cells of 5 cm: squeeze 349 fair failures in 6,000 runs, tie 20 in 6,000, crash
+// 67 in 800.
 #include "follow_the_gap.h"
 
 #include <slalom/methods/slalom_method.h>

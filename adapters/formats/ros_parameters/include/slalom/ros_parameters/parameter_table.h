@@ -85,7 +85,7 @@ std::vector<const RosMapping*> find_mappings(RosFamily family, const std::string
 /// The shipped method of a controller; "" if there is none.
 std::string method_of(RosFamily family);
 
-/// The rows as a table of docs/nav2_parameters.md, in Markdown.
+/// The rows as a table of docs/methods/nav2_parameters.md, in Markdown.
 std::string markdown_table(RosFamily family);
 
 }  // namespace slalom

@@ -13,7 +13,7 @@ namespace slalom {
 /// A method of the adapter python.
 struct PythonOptions {
   std::string module;      ///< file of the module, e.g. my_method.py
-  std::string class_name;  ///< class in it, see docs/methods.md; key `class` of an .ini
+  std::string class_name;  ///< class in it, see docs/methods/methods.md; key `class` of an .ini
   std::string folder;      ///< that relative paths refer to; in an .ini the folder of the file
   /// Options of the class, by name; in an .ini all other keys of the section.
   std::vector<std::pair<std::string, std::string>> parameters = {};

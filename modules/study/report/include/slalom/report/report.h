@@ -33,11 +33,11 @@ ReportOptions report_options(const ResultTable& runs);
 
 /// Writes a report that works offline into `directory`: report.json with all numbers, the same data
 /// as scripts in data/, and the static pages that draw it (index.html, method.html, runs.html,
-/// run.html, and cluster.html if there are clusters); docs/report.md documents them. index.html
-/// shows the summary and the cross tables even if scripts are disabled. `results`: a result file,
-/// or a folder with the shards of a campaign; `runs`: those in it, with all quantities. The output
-/// is deterministic, except for wall-clock columns. Throws Error (Usage) for unknown descriptors or
-/// metrics, Error (Job) when it cannot write.
+/// run.html, and cluster.html if there are clusters); docs/guide/report.md documents them.
+/// index.html shows the summary and the cross tables even if scripts are disabled. `results`: a
+/// result file, or a folder with the shards of a campaign; `runs`: those in it, with all
+/// quantities. The output is deterministic, except for wall-clock columns. Throws Error (Usage) for
+/// unknown descriptors or metrics, Error (Job) when it cannot write.
 void write_report(const std::string& results, ResultTable runs, const ReportOptions& options,
                   const std::string& directory);
 
