@@ -177,6 +177,59 @@ std::optional<LogColumns> columns_of_remark(const std::string& line,
   return has_names ? std::optional(columns) : std::nullopt;
 }
 
+/// Appends "NAME.x", "NAME.y", ...
+void append_members(std::vector<std::string>& names, const std::string& name,
+                    const std::string& members) {
+  for (const char member : members) names.push_back(name + "." + member);
+}
+
+void append_covariance(std::vector<std::string>& names, const std::string& name) {
+  for (int i = 0; i < 36; ++i) names.push_back(name + ".covariance." + std::to_string(i));
+}
+
+struct EchoedMessage {
+  std::string type;
+  std::vector<std::string> names;  ///< of its fields, in their order
+};
+
+/// The messages with poses that `ros2 topic echo --csv` prints without the names of their fields
+/// (geometry_msgs, nav_msgs of ROS 2).
+std::vector<EchoedMessage> echoed_messages() {
+  const std::vector<std::string> header = {"header.stamp.sec", "header.stamp.nanosec",
+                                           "header.frame_id"};
+  EchoedMessage pose{"PoseStamped", header};
+  append_members(pose.names, "pose.position", "xyz");
+  append_members(pose.names, "pose.orientation", "xyzw");
+  EchoedMessage estimate{"PoseWithCovarianceStamped", header}, odometry{"Odometry", header};
+  odometry.names.emplace_back("child_frame_id");
+  for (EchoedMessage* message : {&estimate, &odometry}) {
+    append_members(message->names, "pose.pose.position", "xyz");
+    append_members(message->names, "pose.pose.orientation", "xyzw");
+    append_covariance(message->names, "pose");
+  }
+  append_members(odometry.names, "twist.twist.linear", "xyz");
+  append_members(odometry.names, "twist.twist.angular", "xyz");
+  append_covariance(odometry.names, "twist");
+  return {pose, estimate, odometry};
+}
+
+/// The columns of a message by the number of its fields and the frame among them, a text.
+std::optional<LogColumns> columns_of_message(const std::vector<std::string>& fields) {
+  double number = 0;
+  for (const EchoedMessage& message : echoed_messages()) {
+    if (fields.size() != message.names.size() || parse_number(fields[2], number)) continue;
+    LogColumns columns;
+    columns.first_line_has_numbers = true;
+    columns.has_header = false;
+    columns.names = message.names;
+    columns.message = message.type;
+    columns.sources[kTime] = LogColumns::Source{0, 1};
+    columns.nanoseconds = 1;
+    return columns;
+  }
+  return std::nullopt;
+}
+
 /// The names of the fields of a log whose first line of content has numbers.
 LogColumns columns_without_header(const std::string& line, const std::string& columns_option,
                                   const TextLines& lines) {
@@ -184,15 +237,20 @@ LogColumns columns_without_header(const std::string& line, const std::string& co
   LogColumns columns;
   columns.first_line_has_numbers = true;
   columns.separator = separator_of_numbers(line);
-  const std::size_t count = fields_of(line, columns.separator).size();
+  const std::vector<std::string> fields = fields_of(line, columns.separator);
+  const std::size_t count = fields.size();
+  if (columns.separator == ',')
+    if (auto message = columns_of_message(fields)) return *message;
   columns.has_header = false;
   columns.names = {"t", "x", "y", "z", "qx", "qy", "qz", "qw"};
   if (count == 7) columns.names = {"t", "x", "y", "z", "yaw", "pitch", "roll"};
   if (count == 4) columns.names = {"t", "x", "y", "phi"};
   if (columns.separator != ' ' || count != columns.names.size())
-    throw lines.error("no header line before " + count_text(count, "number"),
+    throw lines.error("no header line before " + count_text(count, "field"),
                       "one with t, x, y; without: t x y z qx qy qz qw (TUM), "
-                      "t x y z yaw pitch roll or t x y phi, separated by blanks");
+                      "t x y z yaw pitch roll or t x y phi, separated by blanks, or Odometry (89), "
+                      "PoseStamped (10) or PoseWithCovarianceStamped (46 fields) of ros2 topic "
+                      "echo --csv");
   return columns;
 }
 
@@ -203,6 +261,7 @@ bool LogColumns::read(const std::string& line, LogRow& row, const TextLines& lin
   std::vector<bool> used(fields.size(), false), is_nan(fields.size(), false);
   for (const auto& source : sources)
     if (source && source->field < used.size()) used[source->field] = true;
+  if (nanoseconds && *nanoseconds < used.size()) used[*nanoseconds] = true;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     is_nan[i] = used[i] && lower_case(fields[i]) == "nan";
     if (!used[i] || is_nan[i]) fields[i] = "0";  // may be text
@@ -219,6 +278,7 @@ bool LogColumns::read(const std::string& line, LogRow& row, const TextLines& lin
     row[i] = std::numeric_limits<double>::quiet_NaN();
     complete = complete && is_command;
   }
+  if (nanoseconds) row[kTime] += 1e-9 * numbers[*nanoseconds];
   return complete;
 }
 
@@ -229,6 +289,7 @@ std::string LogColumns::scaled(std::size_t quantity, double factor) const {
 }
 
 std::string LogColumns::note() const {
+  if (!message.empty()) return "read as " + message + " of ros2 topic echo --csv";
   if (!has_header) return names.size() == 8 ? "" : "no header line: read as " + join(names, " ");
   std::vector<std::string> unused;
   for (std::size_t i = 0; i < names.size(); ++i)

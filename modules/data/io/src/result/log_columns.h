@@ -26,6 +26,8 @@ struct LogColumns {
   char separator = ',';            ///< a blank: any number of blanks and tabs
   bool first_line_has_numbers = false, has_header = true;
   std::array<std::optional<Source>, kLogQuantities> sources;
+  std::optional<std::size_t> nanoseconds;  ///< the field of what is added to the time
+  std::string message;                     ///< of ROS 2, whose fields these are; "" for other logs
 
   bool has(std::size_t quantity) const { return sources[quantity].has_value(); }
   bool has_heading() const { return has(kPhi) || has(kQz); }
@@ -45,7 +47,8 @@ bool is_header_before(const std::string& line, const std::string& columns_option
                       const TextLines& lines);
 
 /// The columns of a log by its first line of content, or by the line with '#' before it, or by the
-/// number of its fields. `columns` is --columns. Throws Error (File, Usage).
+/// number of its fields, as those of messages that `ros2 topic echo --csv` prints. `columns` is
+/// --columns. Throws Error (File, Usage).
 LogColumns find_log_columns(const std::string& line, const std::string& columns,
                             const TextLines& lines);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../text_lines.h"
 #include "derived_speeds.h"
+#include "echoed_messages.h"
 #include "log_columns.h"
 
 #include <slalom/core/distance.h>
@@ -300,6 +301,9 @@ std::vector<TrajectoryFile> read_text_log(const std::string& text, const std::st
                                           bool sideways, const LogSelection& selection,
                                           bool split) {
   refuse_foreign_format(text, where, "a trajectory as CSV or TUM");
+  if (is_echoed(text))
+    return read_text_log(log_of_echoed(text, where), where + " (messages)", sideways, selection,
+                         split);
   TextLines lines(text, where);
   std::string line;
   if (!lines.next(line))

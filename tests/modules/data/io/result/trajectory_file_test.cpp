@@ -169,8 +169,8 @@ TEST(TrajectoryFile, RejectsInvalidHeadersAndSuggestsTheNearestName) {
                           {"duplicate column of x: 'x', 'x'", "expected each column once"}));
   EXPECT_TRUE(refused_log("t,/a/position/x,/b/position/x,y\n0,0,0,0\n",
                           "log:1: ", {"'/a/position/x', '/b/position/x'", "--columns x=COLUMN"}));
-  EXPECT_TRUE(refused_log("0,0,0,0\n", "log:1: ", {"no header line before 4 numbers", "TUM"}));
-  EXPECT_TRUE(refused_log("0 0 0 0 0\n", "log:1: ", {"no header line before 5 numbers"}));
+  EXPECT_TRUE(refused_log("0,0,0,0\n", "log:1: ", {"no header line before 4 fields", "TUM"}));
+  EXPECT_TRUE(refused_log("0 0 0 0 0\n", "log:1: ", {"no header line before 5 fields"}));
   EXPECT_TRUE(refused_log("", "log: ", {"empty"}));
   EXPECT_TRUE(refused_log(std::string(1000, '\0'), "log: ", {"has an unknown format"}));
 }
@@ -204,7 +204,7 @@ TEST(TrajectoryFile, AHeaderBehindAHashIsThatOfTheColumnsOption) {
     EXPECT_EQ(file.trajectory.samples[1].pose.x, 3) << hash;
   }
   selection.columns = "t=s_m,x=x_m,y=z_m";
-  EXPECT_TRUE(throws_error(ErrorKind::File, "log:2: ", {"no header line before 3 numbers"}, [&] {
+  EXPECT_TRUE(throws_error(ErrorKind::File, "log:2: ", {"no header line before 3 fields"}, [&] {
     trajectory_from_text("# s_m; x_m; y_m\n0;1;2\n", "log", false, selection);
   }));
 }
@@ -486,6 +486,93 @@ TEST(TrajectoryFile, ReportsAMissingFile) {
   write_file_atomically(folder / "log.csv", circle_csv(0));
   EXPECT_EQ(load_trajectory_file(folder / "log.csv", false).trajectory.hash(),
             read(circle_csv(0)).trajectory.hash());
+}
+
+/// An Odometry as `ros2 topic echo --csv` prints it: 89 fields.
+std::string echoed_odometry(const std::string& sec, const std::string& nanosec, double x, double v,
+                            double w) {
+  const std::string zeros = [] {
+    std::string text;
+    for (int i = 0; i < 36; ++i) text += ",0.0";
+    return text;
+  }();
+  return sec + "," + nanosec + ",odom,base_link," + format_number(x) + ",2.0,0.0,0.0,0.0,0.6,0.8" +
+         zeros + "," + format_number(v) + ",0.1,0.0,0.0,0.0," + format_number(w) + zeros + "\n";
+}
+
+TEST(TrajectoryFile, ReadsMessagesThatRos2TopicEchoPrintsWithoutNames) {
+  const std::string odometry = echoed_odometry("100", "250000000", 1, 0.5, 0.2) +
+                               echoed_odometry("100", "750000000", 1.25, 0.6, 0.3);
+  const TrajectoryFile file = read(odometry, true);
+  ASSERT_EQ(file.trajectory.samples.size(), 2U);
+  const Sample& second = file.trajectory.samples[1];
+  EXPECT_DOUBLE_EQ(second.t, 100.75);
+  EXPECT_EQ(second.pose.x, 1.25);
+  EXPECT_EQ(second.pose.y, 2);
+  EXPECT_NEAR(second.pose.phi, 2 * std::atan2(0.6, 0.8), 1e-15);
+  EXPECT_EQ(second.v, 0.6);
+  EXPECT_EQ(second.vy, 0.1);
+  EXPECT_EQ(second.w, 0.3);
+  EXPECT_EQ(file.notes[0], "read as Odometry of ros2 topic echo --csv");
+
+  const std::string pose = "7,500000000,map,1.0,2.0,0.0,0.0,0.0,0.0,1.0\n";
+  const std::string estimate =
+      pose.substr(0, pose.size() - 1) +
+      odometry.substr(odometry.find(",0.0,0.0,0.0,0.0,0.0,0.0,0.0"), std::size_t{36} * 4) + "\n";
+  for (const std::string& line : {pose, estimate}) {
+    const Trajectory read_poses = read(line + "8" + line.substr(1)).trajectory;
+    EXPECT_EQ(read_poses.samples[0].t, 7.5) << line;
+    EXPECT_EQ(read_poses.samples[1].t, 8.5);
+    EXPECT_EQ(read_poses.samples[0].pose.x, 1);
+    EXPECT_EQ(read_poses.samples[0].pose.phi, 0);
+  }
+}
+
+TEST(TrajectoryFile, NamesTheMessagesThatItReadsWhereOneHasNoPose) {
+  const std::string twist = "7,500000000,base_link,0.1,0.0,0.0,0.0,0.0,0.2\n";
+  EXPECT_TRUE(refused_log(twist, "log:1: ", {"no header line before 9 fields", "Odometry (89)"}));
+}
+
+std::string echoed_pose(const std::string& sec, double x, const std::string& more = "") {
+  return "header:\n  stamp:\n    sec: " + sec +
+         "\n    nanosec: 500000000\n  frame_id: map\npose:\n  pose:\n    position:\n      x: " +
+         format_number(x) +
+         "\n      y: 2.0\n      z: 0.0\n    orientation:\n      x: 0.0\n      y: 0.0\n      z: "
+         "1.0\n "
+         "     w: 0.0\n  covariance:\n  - 0.1\n  - '...'\n" +
+         more + "---\n";
+}
+
+TEST(TrajectoryFile, ReadsTheYamlThatTopicEchoPrints) {
+  const Trajectory poses = read(echoed_pose("7", 1) + echoed_pose("8", 0.5)).trajectory;
+  ASSERT_EQ(poses.samples.size(), 2U);
+  EXPECT_EQ(poses.samples[1].t, 8.5);
+  EXPECT_EQ(poses.samples[1].pose.x, 0.5);
+  EXPECT_NEAR(std::abs(poses.samples[1].pose.phi), M_PI, 1e-15);
+  EXPECT_EQ(poses.samples[1].v, 0.5) << "computed from the poses";
+
+  const std::string twist =
+      "twist:\n  twist:\n    linear:\n      x: 0.7\n      y: 0.1\n      z: 0.0\n"
+      "    angular:\n      x: 0.0\n      y: 0.0\n      z: 0.3\n";
+  const Sample sample =
+      read(echoed_pose("7", 1, twist) + echoed_pose("8", 0.5, twist), true).trajectory.samples[0];
+  EXPECT_EQ(sample.v, 0.7);
+  EXPECT_EQ(sample.vy, 0.1);
+  EXPECT_EQ(sample.w, 0.3);
+
+  const std::string of_ros1 =
+      "header:\n  stamp:\n    secs: 3\n    nsecs: 250000000\n"
+      "pose: {position: {x: 1, y: 2}, orientation: {x: 0, y: 0, z: 0, w: 1}}\n";
+  EXPECT_EQ(read(of_ros1 + "---\n" + echoed_pose("8", 1)).trajectory.samples[0].t, 3.25);
+}
+
+TEST(TrajectoryFile, LeavesOutAnEchoedMessageThatWasCutOff) {
+  const std::string cut = echoed_pose("9", 2).substr(0, 90);
+  EXPECT_EQ(read(echoed_pose("7", 1) + echoed_pose("8", 1) + cut).trajectory.samples.size(), 2U);
+  EXPECT_TRUE(refused_log(echoed_pose("7", 1) + cut + "---\n" + echoed_pose("8", 1), "log",
+                          {"message 2 has no time and pose", "Odometry"}));
+  EXPECT_TRUE(refused_log("header:\n  stamp: [[\n", "log", {"message 1"}));
+  EXPECT_TRUE(refused_log(echoed_pose("7", 1), "log (messages):", {"only 1 samples"}));
 }
 
 }  // namespace
