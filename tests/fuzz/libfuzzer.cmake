@@ -24,6 +24,7 @@ add_library(slalom_fuzzed STATIC
   ${MODULES}/data/io/src/result/combined_results.cpp
   ${MODULES}/data/io/src/result/derived_speeds.cpp
   ${MODULES}/data/io/src/result/dump.cpp
+  ${MODULES}/data/io/src/result/echoed_messages.cpp
   ${MODULES}/data/io/src/result/file_rows.cpp
   ${MODULES}/data/io/src/result/log_columns.cpp
   ${MODULES}/data/io/src/result/merge_results.cpp
@@ -58,6 +59,7 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/gazebo_world.cpp
   ${FORMATS}/gray_image.cpp
   ${FORMATS}/image_size.cpp
+  ${FORMATS}/map_pairs.cpp
   ${FORMATS}/map_task.cpp
   ${FORMATS}/moving_ai.cpp
   ${FORMATS}/image_map.cpp

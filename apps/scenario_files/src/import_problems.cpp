@@ -23,7 +23,7 @@ namespace {
 /// "3" or "3-10".
 ProblemSelection problem_choice(const ImportRequest& request) {
   ProblemSelection choice;
-  choice.count = request.pairs;
+  choice.count = sampled_pairs(request);
   if (request.buckets.empty()) return choice;
   const std::size_t dash = request.buckets.find('-');
   const std::string first = request.buckets.substr(0, dash),

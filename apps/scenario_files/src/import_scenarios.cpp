@@ -4,9 +4,11 @@
 #include <slalom/campaign/scenario_sources.h>
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/scenario_yaml.h>
 #include <slalom/map_formats/arena_scenario.h>
+#include <slalom/map_formats/map_pairs.h>
 #include <slalom/map_formats/map_task.h>
 #include <slalom/map_formats/world_import.h>
 #include <slalom/rawlog/log_map.h>
@@ -30,16 +32,16 @@ std::vector<double> pose_numbers(const std::string& option, const std::string& t
   return numbers;
 }
 
-void require_solvable(const Scenario& scenario, double robot_radius) {
+void require_solvable(const Scenario& scenario, double robot_radius, const std::string& where) {
   std::string reason;
   if (!is_solvable(scenario, robot_radius, reason))
-    throw job_error(scenario.name(), "unsolvable pair of start and goal: " + reason,
+    throw job_error(where, "unsolvable pair of start and goal: " + reason,
                     "a start and a goal with a collision-free path");
 }
 
 std::vector<Scenario> sample_pairs(const Scenario& map, const ImportRequest& request) {
   GenerationSettings task;
-  task.count = request.pairs;
+  task.count = sampled_pairs(request);
   task.seed = request.seed;
   task.robot_radius = request.robot_radius;
   task.name_prefix = map.name();
@@ -96,15 +98,35 @@ ImportedWorld read_map(const std::string& path, const ImportRequest& request) {
   return world;
 }
 
+/// The pose of --start, if it is given.
+std::optional<mrpt::math::TPose2D> requested_start(const ImportRequest& request) {
+  if (request.start.empty()) return std::nullopt;
+  const std::vector<double> s = pose_numbers("--start", request.start);
+  return mrpt::math::TPose2D(s[0], s[1], s.size() > 2 ? s[2] : 0);
+}
+
+/// The map with each pair of a file.
+std::vector<Scenario> with_pairs_of_file(const ImportedWorld& map, const ImportRequest& request) {
+  std::optional<mrpt::math::TPose2D> start = requested_start(request);
+  if (!start) start = map.start;
+  std::vector<Scenario> scenarios;
+  for (const MapPair& pair : read_map_pairs(request.pairs, start)) {
+    Scenario scenario = map.scenario.with_start_goal(pair.start, pair.goal)
+                            .with_goal_heading(pair.goal_heading)
+                            .renamed(map.scenario.name() + "_line" + std::to_string(pair.line));
+    require_solvable(scenario, request.robot_radius,
+                     request.pairs + ":" + std::to_string(pair.line));
+    scenarios.push_back(std::move(scenario));
+  }
+  return scenarios;
+}
+
 /// The map with the pose and the position of the request; what is missing there, the map states.
 Scenario with_task(const ImportedWorld& map, const ImportRequest& request) {
-  auto start = map.start;
+  const auto requested = requested_start(request);
+  const auto start = requested ? requested : map.start;
   auto goal = map.goal;
   std::optional<double> heading;
-  if (!request.start.empty()) {
-    const auto s = pose_numbers("--start", request.start);
-    start = {s[0], s[1], s.size() > 2 ? s[2] : 0};
-  }
   if (!request.goal.empty()) {
     const auto g = pose_numbers("--goal", request.goal);
     goal = {g[0], g[1]};
@@ -112,7 +134,7 @@ Scenario with_task(const ImportedWorld& map, const ImportRequest& request) {
   }
   Scenario scenario = map.scenario.with_start_goal(start.value(), goal.value());
   if (heading) scenario = scenario.with_goal_heading(heading);
-  require_solvable(scenario, request.robot_radius);
+  require_solvable(scenario, request.robot_radius, scenario.name());
   return scenario;
 }
 
@@ -122,8 +144,10 @@ ImportedFile import_map(const std::string& path, const ImportRequest& request) {
   ImportedFile file;
   if (!map.message.empty()) file.messages.push_back(map.message);
   const bool has_start = !request.start.empty(), has_goal = !request.goal.empty();
-  if (request.pairs > 0)
+  if (sampled_pairs(request) > 0)
     file.scenarios = sample_pairs(map.scenario, request);
+  else if (!request.pairs.empty())
+    file.scenarios = with_pairs_of_file(map, request);
   else if ((has_start || has_goal) && (has_start || map.start) && (has_goal || map.goal))
     file.scenarios = {with_task(map, request)};
   else
@@ -143,6 +167,19 @@ ImportedFile import_file(const std::string& path, const ImportRequest& request) 
 }
 
 }  // namespace
+
+int sampled_pairs(const ImportRequest& request) {
+  long long count = 0;
+  if (request.pairs.empty()) return 0;
+  if (!parse_integer(request.pairs, count)) {
+    require_regular_file(request.pairs, "pairs of start and goal");
+    return 0;
+  }
+  if (count < 1 || count > 1'000'000)
+    throw usage_error("--pairs", request.pairs + " is out of range",
+                      "1 to 1000000, or a file of pairs");
+  return static_cast<int>(count);
+}
 
 ImportedScenarios import_scenarios(const ImportRequest& request, Progress& progress) {
   ImportedScenarios all;

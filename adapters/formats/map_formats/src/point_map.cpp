@@ -36,7 +36,10 @@ class PointLines {
  private:
   void add_line(std::string line) {
     line.erase(std::min(line.find_first_of("#%"), line.size()));
-    const std::vector<double> values = numbers(line);
+    const std::vector<std::string> fields = fields_of(line);
+    if (!begun_ && columns_.empty() && is_header(fields)) return;
+    const std::vector<double> values =
+        numbers(columns_.empty() || fields.empty() ? fields : chosen(fields));
     if (values.empty() || (values.size() == 1 && !begun_)) {  // a count before all points
       begun_ = begun_ || !values.empty();
       return;
@@ -51,17 +54,46 @@ class PointLines {
       map_.insertPoint(static_cast<float>(values[0]), static_cast<float>(values[1]), 0);
   }
 
-  std::vector<double> numbers(const std::string& line) const {
+  static std::vector<std::string> fields_of(const std::string& line) {
     constexpr char kSeparators[] = " \t\r,;";
-    std::vector<double> values;
+    std::vector<std::string> fields;
     std::size_t at = line.find_first_not_of(kSeparators);
     while (at != std::string::npos) {
       const std::size_t end = std::min(line.find_first_of(kSeparators, at), line.size());
-      double value = 0;
-      if (!parse_number(line.substr(at, end - at), value)) throw malformed("invalid number");
-      values.push_back(value);
+      fields.push_back(line.substr(at, end - at));
       at = line.find_first_not_of(kSeparators, end);
     }
+    return fields;
+  }
+
+  /// Whether the line names columns x and y: their places, and that of z if there is one.
+  bool is_header(const std::vector<std::string>& fields) {
+    const auto place_of = [&](const char* name) {
+      return static_cast<std::size_t>(
+          std::find_if(fields.begin(), fields.end(),
+                       [&](const std::string& field) { return lower_case(field) == name; }) -
+          fields.begin());
+    };
+    const std::size_t x = place_of("x"), y = place_of("y"), z = place_of("z");
+    if (x == fields.size() || y == fields.size()) return false;
+    columns_ = {x, y};
+    if (z < fields.size()) columns_.push_back(z);
+    return true;
+  }
+
+  std::vector<std::string> chosen(const std::vector<std::string>& fields) const {
+    std::vector<std::string> texts;
+    for (const std::size_t column : columns_) {
+      if (column >= fields.size()) throw malformed("fewer fields than the header has");
+      texts.push_back(fields[column]);
+    }
+    return texts;
+  }
+
+  std::vector<double> numbers(const std::vector<std::string>& fields) const {
+    std::vector<double> values;
+    for (const std::string& field : fields)
+      if (!parse_number(field, values.emplace_back())) throw malformed("invalid number");
     return values;
   }
 
@@ -75,6 +107,7 @@ class PointLines {
   mrpt::maps::CSimplePointsMap map_;
   std::size_t line_ = 0;
   bool begun_ = false;
+  std::vector<std::size_t> columns_;  ///< of x, y and maybe z, as a header names them
 };
 
 }  // namespace

@@ -36,6 +36,14 @@ TEST(PointMap, ReadsOnlyPointsInTheHeightRange) {
   EXPECT_EQ(points("0 0 0\n1.5 2 0.1\n-3 0.25 2\n9 9 2.1\n", options), kTwo);
 }
 
+TEST(PointMap, ReadsTheColumnsThatAHeaderNames) {
+  EXPECT_EQ(points("x,y\n1.5,2\n-3,0.25\n"), kTwo);
+  EXPECT_EQ(points("tag,X,Y,direction\nblue_cone,1.5,2,0\ncar_start,-3,0.25,0.1\n"), kTwo);
+  PointMapOptions options;
+  options.z_min = 0.1;
+  EXPECT_EQ(points("# cones\nz y x\n0.2 2 1.5\n0.2 0.25 -3\n0 9 9\n", options), kTwo);
+}
+
 testing::AssertionResult rejects(const std::string& text, const std::string& where,
                                  const std::string& word) {
   return throws_error(ErrorKind::File, where + ": ", {word, "x y or x y z, in m"},
@@ -50,6 +58,13 @@ TEST(PointMap, ReportsTheLineOfErrors) {
   EXPECT_TRUE(rejects("1 1e300\n", "points.xyz:1", "out of range"));
   EXPECT_TRUE(rejects("", "points.xyz", "no points"));
   EXPECT_TRUE(rejects("# nothing\n", "points.xyz", "no points"));
+}
+
+TEST(PointMap, ReportsAHeaderWithoutXAndY) {
+  EXPECT_TRUE(rejects("a,b\n1,2\n", "points.xyz:1", "invalid number"));
+  EXPECT_TRUE(rejects("x,z\n1,2\n", "points.xyz:1", "invalid number"));
+  EXPECT_TRUE(rejects("tag,x,y\nblue,1\n", "points.xyz:2", "fewer fields than the header has"));
+  EXPECT_TRUE(rejects("tag,x,y\nblue,1,two\n", "points.xyz:2", "invalid number"));
 }
 
 TEST(PointMap, BecomesAScenarioAroundItsPoints) {

@@ -22,7 +22,7 @@ struct ImportRequest {
   /// Maps (see load_map()), point maps, worlds, .scenario.yaml, grids or folders of BARN, logs.
   std::vector<std::string> files;
   std::string start, goal;     ///< "x,y,phi" and "x,y[,phi]" (m, rad) on each map; or empty
-  int pairs = 0;               ///< to sample on each map instead
+  std::string pairs;           ///< number to sample on each map instead, or a file of pairs
   std::uint64_t seed = 1;      ///< of the pairs
   double robot_radius = 0.25;  ///< m; pairs must be solvable for it
   TaskConstraints limits;      ///< of the pairs
@@ -47,6 +47,9 @@ struct ImportedScenarios {
   std::vector<std::pair<std::string, std::string>> notes;
   std::vector<std::string> messages;  ///< one line per file about left out scenarios
 };
+
+/// The number of pairs to sample on each map; 0 if `pairs` is a file. Throws Error (Usage).
+int sampled_pairs(const ImportRequest& request);
 
 /// Imports the files in order and reports progress. Throws Error: File for unreadable files, Usage
 /// for a map or log without start and goal and for invalid poses, Job for an unsolvable pair.

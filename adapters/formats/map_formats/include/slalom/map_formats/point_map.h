@@ -21,7 +21,8 @@ bool is_point_map(const std::string& path);
 
 /// Reads obstacle points, one per line: x y, or x y z and more columns, separated by blanks, commas
 /// or semicolons, in m. Empty lines and comments (# or %) are skipped; the first line may be the
-/// number of points (.pts). Throws Error (File): file, line, what was expected.
+/// number of points (.pts), or name the columns: x, y and z are read then, wherever they are.
+/// Throws Error (File): file, line, what was expected.
 mrpt::maps::CSimplePointsMap read_point_map(const std::string& path,
                                             const PointMapOptions& options);
 mrpt::maps::CSimplePointsMap parse_point_map(const std::string& text, const std::string& where,
