@@ -13,11 +13,20 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 
 namespace slalom {
 namespace {
 
 constexpr std::size_t kMaxLines = 1'000'000;
+
+/// Other names of the columns of ids.
+const std::set<std::string> kIdNames = {"persid", "pers_id", "personid", "person",  "person_id",
+                                        "ped_id", "pedid",   "agent_id", "track_id"};
+
+std::string id_or(const std::string& name) {
+  return kIdNames.count(name) > 0 ? "id" : name;
+}
 
 /// Collects the positions of movers in the order of the file.
 class MoverCollector {
@@ -152,6 +161,7 @@ class Columns {
     for (const std::string& written : std::vector<std::string>(names_)) {
       std::string& name = names_[seen_++];
       if (ends_with(name, "_est")) name.resize(name.size() - 4);
+      name = id_or(name == "time" ? "t" : name);
       if (!contains(kKnown, name))
         throw lines.error("unknown column '" + written + "'",
                           "a header line with id, t or frame, x, y, and optionally r, type");
@@ -237,11 +247,9 @@ bool has_numbers(const std::string& line) {
 
 /// The order that a line of names states ("# PersID Frame x/m y/m z/m"); none if it does not.
 std::optional<FrameFields> named_order(const std::string& header, const TextLines& lines) {
-  static const std::map<std::string, std::string> kNames = {
-      {"id", "id"},          {"persid", "id"},    {"pers_id", "id"},  {"personid", "id"},
-      {"person", "id"},      {"person_id", "id"}, {"ped_id", "id"},   {"pedid", "id"},
-      {"agent_id", "id"},    {"track_id", "id"},  {"frame", "frame"}, {"fr", "frame"},
-      {"frame_id", "frame"}, {"x", "x"},          {"y", "y"}};
+  static const std::map<std::string, std::string> kNames = {{"id", "id"},    {"frame", "frame"},
+                                                            {"fr", "frame"}, {"frame_id", "frame"},
+                                                            {"x", "x"},      {"y", "y"}};
   static const std::map<std::string, double> kLengthUnits = {
       {"", 1}, {"m", 1}, {"cm", 100}, {"mm", 1000}};
   std::string names = header.substr(std::min(header.find_first_not_of("# \t"), header.size()));
@@ -254,7 +262,7 @@ std::optional<FrameFields> named_order(const std::string& header, const TextLine
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string field = lower_case(fields[i]);
     const std::size_t unit = std::min(field.find_first_of("/[("), field.size());
-    const auto name = kNames.find(field.substr(0, unit));
+    const auto name = kNames.find(id_or(field.substr(0, unit)));
     if (name == kNames.end()) continue;
     if (!found.emplace(name->second, i).second) duplicate = name->second;
     if (name->second != "x" && name->second != "y") continue;
@@ -356,15 +364,48 @@ void read_frames(std::string line, TextLines& lines, const std::string& where,
   frames.check(where);
 }
 
+/// The rate of a line such as "# framerate: 25.00 fps" before the positions; 0 if there is none.
+double stated_frame_rate(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line) && (line.empty() || line[0] == '#');) {
+    std::string words = lower_case(line);
+    words.erase(
+        std::remove_if(words.begin(), words.end(),
+                       [](char c) { return std::string("# \t_-:=").find(c) != std::string::npos; }),
+        words.end());
+    constexpr char kName[] = "framerate";
+    if (!starts_with(words, kName)) continue;
+    words.erase(0, std::string(kName).size());
+    double rate = 0;
+    if (parse_number(words.substr(0, words.find_first_not_of("0123456789.")), rate)) return rate;
+  }
+  return 0;
+}
+
+/// The options with the frame rate that the file states.
+MoversFileOptions with_stated_rate(MoversFileOptions options, const std::string& text,
+                                   const std::string& where) {
+  const double stated = stated_frame_rate(text);
+  if (!(stated > 0)) return options;
+  if (options.frame_rate > 0 && options.frame_rate != stated)
+    throw file_error(where,
+                     "a frame rate of " + format_number(options.frame_rate) +
+                         " contradicts that of the file, " + format_number(stated),
+                     "that of the file, or none");
+  options.frame_rate = stated;
+  return options;
+}
+
 }  // namespace
 
 Movers movers_from_text(const std::string& text, const std::string& where,
-                        const MoversFileOptions& options) {
+                        const MoversFileOptions& given) {
   if (is_hunav(text)) {
-    if (options.begin != 0)
-      throw file_error(where, "agents of HuNavSim have no times", "no time at which runs begin");
+    if (given.begin != 0)
+      throw file_error(where, "files of HuNavSim have no times", "no time at which runs begin");
     return hunav_agents(text, where);
   }
+  const MoversFileOptions options = with_stated_rate(given, text, where);
   TextLines lines(text, where);
   std::string line;
   const std::string expected = "CSV with the columns id, t, x, y, or lines of frame id x y";

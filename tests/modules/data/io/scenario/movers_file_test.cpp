@@ -251,7 +251,30 @@ TEST(MoversFile, AgentsOfHuNavSimThatCannotBeReadAreRefusedWithTheirLine) {
       "      g: {x: 1, y: 1}\n      h: {x: 2, y: 2}\n      goals: [g";
   for (int i = 0; i < 1000; ++i) many += ", h, g";
   EXPECT_TRUE(refuses(many + "]\n", "f: too many goals"));
-  EXPECT_TRUE(refuses(kAgents, "f: agents of HuNavSim have no times", {0.3, 2, 0}));
+  EXPECT_TRUE(refuses(kAgents, "f: files of HuNavSim have no times", {0.3, 2, 0}));
+}
+
+TEST(MoversFile, ColumnsHaveTheNamesOfTrackersToo) {
+  const Movers expected = movers_from_text("id,t,x,y\n7,0,1,2\n7,1,2,2\n", "f");
+  for (const char* header : {"track_id,time,x,y", "person,t,x,y", "ped_id,time,x,y"})
+    EXPECT_EQ(movers_from_text(header + std::string("\n7,0,1,2\n7,1,2,2\n"), "f"), expected)
+        << header;
+  EXPECT_TRUE(refuses("id,track_id,t,x,y\n7,7,0,1,2\n", "f:1: duplicate column 'track_id'"));
+}
+
+TEST(MoversFile, AFrameRateInTheHeaderIsThatOfTheRecording) {
+  const std::string lines = "# PersID Frame X/cm Y/cm Z/cm\n1 0 100 200 170\n1 8 150 200 170\n";
+  for (const char* rate : {"# framerate: 16.00 fps\n", "# Frame rate = 16\n", "#framerate:16\n"}) {
+    const Movers movers =
+        movers_from_text("# description: a corridor\n" + std::string(rate) + lines, "f");
+    ASSERT_EQ(movers.size(), 1U);
+    const Mover expected = {"1", 0.3, {{0, {1, 2}}, {0.5, {1.5, 2}}}, MoverEnd::Vanish};
+    EXPECT_EQ(movers, Movers{expected}) << rate;
+  }
+  MoversFileOptions other;
+  other.frame_rate = 25;
+  EXPECT_TRUE(refuses("# framerate: 16\n" + lines, "f: a frame rate of 25 contradicts", other));
+  EXPECT_TRUE(refuses("# framerate: fast\n" + lines, "f:3: frames instead of times"));
 }
 
 }  // namespace
