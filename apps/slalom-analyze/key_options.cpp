@@ -23,9 +23,10 @@ void add_key_options(CLI::App& verb, CsvColumnOptions& options) {
                   "env)");
   verb.add_option("--repetition-column", options.repetition,
                   "CSV: column of the repetitions (default: repetition, trial, run or episode)");
-  verb.add_option("--outcome-column", options.outcome,
-                  "CSV: column of the outcomes (default: outcome; result or status with words of "
-                  "outcomes)");
+  verb.add_option(
+      "--outcome-column", options.outcome,
+      "CSV: column of the outcomes (default: outcome; result, status, state or done_reason "
+      "with words of outcomes)");
   add_words(verb, "--success-word", options.success_words,
             "CSV: outcomes that mean success, comma-separated; unknown ones are then failures");
   add_words(verb, "--names", options.names,

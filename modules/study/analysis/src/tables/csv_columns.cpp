@@ -98,10 +98,12 @@ class KeyColumns {
     repetition = find({"repetition", {"trial", "run", "episode"}}, options.repetition,
                       [](const auto& fields) { return !first_text(fields); });
     const OutcomeWords words(options.success_words);
-    outcome = find({"outcome", {"result", "status"}}, options.outcome, [&](const auto& fields) {
-      return std::any_of(fields.begin(), fields.end(),
-                         [&](const std::string& word) { return words.known(word).has_value(); });
-    });
+    outcome = find({"outcome", {"result", "status", "state", "done_reason"}}, options.outcome,
+                   [&](const auto& fields) {
+                     return std::any_of(fields.begin(), fields.end(), [&](const std::string& word) {
+                       return words.known(word).has_value();
+                     });
+                   });
   }
 
   using Fields = const std::vector<std::string>*;

@@ -167,6 +167,17 @@ TEST(CsvColumns, KeysHaveOtherNamesElsewhere) {
   EXPECT_EQ(notes_of(columns_from_csv("method,scenario,time\na,w,1\n", "t.csv")), "");
 }
 
+TEST(CsvColumns, OutcomesStandInColumnsOfOtherNames) {
+  for (const char* name : {"status", "state", "done_reason"}) {
+    const ResultTable table = columns_from_csv(
+        "method,episode," + std::string(name) + "\na,1,GOAL_REACHED\na,2,COLLISION\n", "t.csv");
+    EXPECT_EQ(table.outcomes[1], "collision") << name;
+    EXPECT_EQ(find_metric(table, "success")->number(0), 1) << name;
+  }
+  // Numbers of states are no outcomes.
+  EXPECT_NE(find_metric(columns_from_csv("method,state\na,3\nb,4\n", "t.csv"), "state"), nullptr);
+}
+
 TEST(CsvColumns, AResultOfNumbersAndARunOfTextAreNoKeys) {
   const ResultTable table =
       columns_from_csv("method,result,run\na,0.5,first\nb,1.5,second\n", "t.csv");

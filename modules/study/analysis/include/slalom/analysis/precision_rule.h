@@ -23,7 +23,8 @@ PrecisionRule parse_precision_rule(const std::string& text);
 /// The confidence of intervals at each interim analysis (look): 1 - 0.6 (1 - confidence). Stopping
 /// when an interval is narrow depends on the variance, hardly on the mean (Chow and Robbins 1965,
 /// Ann. Math. Stat. 36:457-462), so that this small correction keeps `confidence` for rates
-/// whenever the campaign stops; docs/guide/campaigns.md has the coverage by rate, width and distribution.
+/// whenever the campaign stops; docs/guide/campaigns.md has the coverage by rate, width and
+/// distribution.
 double look_confidence(double confidence);
 
 /// One method in one bin, and whether the required precision is reached.
