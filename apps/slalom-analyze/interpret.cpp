@@ -11,6 +11,7 @@
 #include <slalom/report/analysis_input.h>
 #include <slalom/results/privileged.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace slalom {
@@ -25,14 +26,26 @@ void resolve_csv_option(InterpretArguments& arguments) {
   }
 }
 
+/// Whether the files are tables of one campaign, such as one for each method.
+bool are_parts(const std::vector<std::string>& files, const Interpreter& interpreter) {
+  return interpreter.max_results == 1 && files.size() > 1 &&
+         std::none_of(files.begin(), files.end(), is_result_input);
+}
+
 std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
                                      const Interpreter& interpreter) {
-  require_number_of_results(interpreter, arguments.files.size());
+  const bool joined = are_parts(arguments.files, interpreter);
+  require_number_of_results(interpreter, joined ? 1 : arguments.files.size());
   const auto columns = requested_columns(arguments.request, interpreter);
   CsvColumnOptions options = arguments.table;
   options.up = split_nonempty(arguments.up, ',');
   options.down = split_nonempty(arguments.down, ',');
   std::vector<ResultTable> results;
+  if (joined) {
+    results.push_back(read_analysis_tables(arguments.files, options));
+    warn_of_missing(results[0].source, results[0]);
+    return results;
+  }
   for (const std::string& file : arguments.files) {
     results.push_back(read_analysis_input(file, columns, file == arguments.csv_file, options));
     warn_of_missing(file, results.back());

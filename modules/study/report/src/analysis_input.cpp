@@ -13,25 +13,43 @@
 
 namespace slalom {
 
+namespace {
+
+CsvColumnOptions with_known_columns(CsvColumnOptions options) {
+  options.known_conditional = reached_metric_ids();
+  for (const Metric& metric : all_metrics()) options.known.push_back(metric.info);
+  for (const Descriptor& descriptor : all_descriptors()) options.known.push_back(descriptor.info);
+  return options;
+}
+
+std::string text_of_table(const std::string& path) {
+  const std::string expected = "a result file (.results) or a table as CSV";
+  refuse_foreign_file(path, expected);
+  const std::string text = read_text(path, "a table (.csv)");
+  refuse_foreign_format(text, path, expected);
+  return text;
+}
+
+}  // namespace
+
 ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options) {
   const bool is_table = !is_result_input(path) && (csv || !ends_with(path, ".results"));
   if (!is_table) return read_results(path, ids);
-  CsvColumnOptions with_known = options;
-  with_known.known_conditional = reached_metric_ids();
-  for (const Metric& metric : all_metrics()) with_known.known.push_back(metric.info);
-  for (const Descriptor& descriptor : all_descriptors())
-    with_known.known.push_back(descriptor.info);
+  CsvColumnOptions with_known = with_known_columns(options);
   if (const auto benchmark = read_benchmark_table(path)) {
     if (options.success_words.empty()) with_known.success_words = benchmark->success_words;
     return columns_from_csv(benchmark->csv, path, with_known);
   }
-  const std::string expected = "a result file (.results) or a table as CSV";
-  refuse_foreign_file(path, expected);
-  const std::string text = read_text(path, "a table (.csv)");
-  refuse_foreign_format(text, path, expected);
-  return columns_from_csv(text, path, with_known);
+  return columns_from_csv(text_of_table(path), path, with_known);
+}
+
+ResultTable read_analysis_tables(const std::vector<std::string>& paths,
+                                 const CsvColumnOptions& options) {
+  std::vector<CsvFile> files;
+  for (const std::string& path : paths) files.push_back({text_of_table(path), path});
+  return columns_from_csv(files, with_known_columns(options));
 }
 
 std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path) {

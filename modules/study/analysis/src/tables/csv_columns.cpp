@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <set>
 
@@ -469,6 +470,45 @@ void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& 
   if (!parts.empty()) table.notes.push_back(join(parts, "; "));
 }
 
+/// The names of files without folder and ending; with the folder if two are equal.
+std::vector<std::string> method_names(const std::vector<CsvFile>& files) {
+  std::vector<std::string> stems, paths;
+  for (const CsvFile& file : files) {
+    const std::filesystem::path path(file.name);
+    stems.push_back(path.stem().string());
+    paths.push_back((path.parent_path() / path.stem()).string());
+  }
+  const bool are_unique = std::set<std::string>(stems.begin(), stems.end()).size() == stems.size();
+  return are_unique ? stems : paths;
+}
+
+ResultTable columns_of(const CsvTable& csv, const CsvColumnOptions& options) {
+  const KeyColumns keys(csv, options);
+  const OutcomeFields outcomes(csv, keys, options);
+  ResultTable columns;
+  columns.source = csv.name();
+  add_keys(columns, csv, keys, outcomes);
+  NumberColumns numbers(csv, options, columns);
+  for (std::size_t i = 0; i < csv.header().size(); ++i)
+    if (!keys.is_key(i)) numbers.add(i);
+  std::vector<std::string> taken = keys.renamed();
+  for (const std::string& end : complete_outcomes(columns, csv, keys.outcome != nullptr))
+    taken.push_back(end);
+  if (columns.metrics.empty())
+    throw file_error(csv.name(), "no numeric columns: " + unread_text(columns),
+                     "a header line and rows of numbers");
+  require_columns(columns, "--kind", keys_of(options.kinds));
+  require_columns(columns, "--range", keys_of(options.ranges));
+  require_columns(columns, "--unconditional", options.unconditional);
+  std::vector<std::string> notes;
+  if (csv.separator() == ' ') notes.emplace_back("separated by blanks");
+  if (const std::string note = outcomes.note(); !note.empty()) notes.push_back(note);
+  if (const auto ids = make_conditional(columns, options); !ids.empty())
+    notes.push_back("not available in runs that failed: " + join(ids, ", ") + " (--unconditional)");
+  add_notes(columns, keys, numbers, taken, std::move(notes));
+  return columns;
+}
+
 }  // namespace
 
 std::map<std::string, QuantityKind> parse_column_kinds(const std::string& text) {
@@ -495,31 +535,22 @@ std::map<std::string, Range> parse_column_ranges(const std::string& text) {
 
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options) {
-  const CsvTable csv(text, name, options.names);
-  const KeyColumns keys(csv, options);
-  const OutcomeFields outcomes(csv, keys, options);
-  ResultTable columns;
-  columns.source = name;
-  add_keys(columns, csv, keys, outcomes);
-  NumberColumns numbers(csv, options, columns);
-  for (std::size_t i = 0; i < csv.header().size(); ++i)
-    if (!keys.is_key(i)) numbers.add(i);
-  std::vector<std::string> taken = keys.renamed();
-  for (const std::string& end : complete_outcomes(columns, csv, keys.outcome != nullptr))
-    taken.push_back(end);
-  if (columns.metrics.empty())
-    throw file_error(name, "no numeric columns: " + unread_text(columns),
-                     "a header line and rows of numbers");
-  require_columns(columns, "--kind", keys_of(options.kinds));
-  require_columns(columns, "--range", keys_of(options.ranges));
-  require_columns(columns, "--unconditional", options.unconditional);
-  std::vector<std::string> notes;
-  if (csv.separator() == ' ') notes.emplace_back("separated by blanks");
-  if (const std::string note = outcomes.note(); !note.empty()) notes.push_back(note);
-  if (const auto ids = make_conditional(columns, options); !ids.empty())
-    notes.push_back("not available in runs that failed: " + join(ids, ", ") + " (--unconditional)");
-  add_notes(columns, keys, numbers, taken, std::move(notes));
-  return columns;
+  return columns_of(CsvTable(text, name, options.names), options);
+}
+
+ResultTable columns_from_csv(const std::vector<CsvFile>& files, const CsvColumnOptions& options) {
+  std::vector<CsvTable> tables;
+  std::vector<std::string> without_method, stems = method_names(files);
+  for (const CsvFile& file : files) {
+    tables.emplace_back(file.text, file.name, options.names);
+    if (KeyColumns(tables.back(), options).method == nullptr) without_method.push_back(file.name);
+  }
+  if (without_method.size() == files.size())
+    for (std::size_t i = 0; i < files.size(); ++i) tables[i].add_column("method", stems[i]);
+  else if (!without_method.empty())
+    throw file_error(without_method[0], "has no column of methods, as another table has",
+                     "a column method in all tables, or in none for the names of the files");
+  return columns_of(CsvTable(tables), options);
 }
 
 void unify_kinds(std::vector<ResultTable>& tables) {

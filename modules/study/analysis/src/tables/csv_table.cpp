@@ -98,7 +98,7 @@ std::string text_of_field(const std::string& field) {
 
 CsvTable::CsvTable(const std::string& content, const std::string& name,
                    const std::vector<std::string>& names)
-    : name_(name), header_(names), has_header_(names.empty()) {
+    : name_(name), files_{name}, header_(names), has_header_(names.empty()) {
   const std::string text = has_header_ ? without_mark(content) : content;
   separator_ = separator_of(text, header_.size());
   CsvRecords records(text, separator_);
@@ -113,8 +113,36 @@ CsvTable::CsvTable(const std::string& content, const std::string& name,
   if (rows() == 0) throw file_error(name_, "no rows", "a header line and rows of numbers");
 }
 
+CsvTable::CsvTable(const std::vector<CsvTable>& tables)
+    : separator_(tables.at(0).separator_), has_header_(true) {
+  for (const CsvTable& table : tables) {
+    for (const std::string& id : table.header_)
+      if (!contains(header_, id)) header_.push_back(id);
+    for (const Place& place : table.places_)
+      places_.push_back({files_.size() + place.file, place.line});
+    files_.insert(files_.end(), table.files_.begin(), table.files_.end());
+  }
+  name_ = join(files_, ", ");
+  for (const std::string& id : header_) {
+    std::vector<std::string>& fields = fields_.emplace_back();
+    for (const CsvTable& table : tables) {
+      const auto found = std::find(table.header_.begin(), table.header_.end(), id);
+      const auto i = static_cast<std::size_t>(found - table.header_.begin());
+      if (found == table.header_.end())
+        fields.insert(fields.end(), table.rows(), "");
+      else
+        fields.insert(fields.end(), table.fields_[i].begin(), table.fields_[i].end());
+    }
+  }
+}
+
 std::string CsvTable::where(std::size_t row) const {
-  return name_ + ":" + std::to_string(lines_[row]);
+  return files_[places_[row].file] + ":" + std::to_string(places_[row].line);
+}
+
+void CsvTable::add_column(const std::string& id, const std::string& text) {
+  header_.push_back(id);
+  fields_.emplace_back(rows(), text);
 }
 
 void CsvTable::read_header(const std::vector<std::string>& record) {
@@ -138,7 +166,7 @@ void CsvTable::refuse_duplicate_names() const {
 }
 
 void CsvTable::add(const std::vector<std::string>& record, std::size_t line) {
-  lines_.push_back(line);
+  places_.push_back({0, line});
   if (record.size() != header_.size())
     throw file_error(
         where(rows() - 1), std::to_string(record.size()) + " fields",

@@ -7,7 +7,7 @@
 
 namespace slalom {
 
-/// The fields of a CSV file by columns, trimmed and without quotes.
+/// The fields of CSV files by columns, trimmed and without quotes.
 class CsvTable {
  public:
   /// Detects the separator: the most frequent of comma, semicolon and tab in the first line, or
@@ -15,23 +15,35 @@ class CsvTable {
   CsvTable(const std::string& content, const std::string& name,
            const std::vector<std::string>& names);
 
-  const std::string& name() const { return name_; }  ///< of the file
-  std::size_t rows() const { return lines_.size(); }
-  std::size_t line(std::size_t row) const { return lines_[row]; }  ///< in the file
+  /// The rows of several tables, one after another. A field of a column that a table does not have
+  /// is empty. The separator is that of the first.
+  explicit CsvTable(const std::vector<CsvTable>& tables);
+
+  const std::string& name() const { return name_; }  ///< of the file, or of all with commas
+  std::size_t rows() const { return places_.size(); }
+  std::size_t line(std::size_t row) const { return places_[row].line; }  ///< in its file
   char separator() const { return separator_; }  ///< a blank for any number of blanks
   const std::vector<std::string>& header() const { return header_; }
   const std::vector<std::string>& column(std::size_t i) const { return fields_[i]; }
 
   /// FILE:LINE of a row.
   std::string where(std::size_t row) const;
+  /// Adds a column with that text in every row.
+  void add_column(const std::string& id, const std::string& text);
 
  private:
+  /// The number of the file that has a row, and its line there.
+  struct Place {
+    std::size_t file, line;
+  };
+
   std::string name_;
+  std::vector<std::string> files_;
   char separator_ = ',';
   std::vector<std::string> header_;
   bool has_header_;
   std::vector<std::vector<std::string>> fields_;
-  std::vector<std::size_t> lines_;
+  std::vector<Place> places_;
 
   void read_header(const std::vector<std::string>& record);
   void refuse_duplicate_names() const;

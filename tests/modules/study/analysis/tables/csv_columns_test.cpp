@@ -178,6 +178,37 @@ TEST(CsvColumns, OutcomesStandInColumnsOfOtherNames) {
   EXPECT_NE(find_metric(columns_from_csv("method,state\na,3\nb,4\n", "t.csv"), "state"), nullptr);
 }
 
+TEST(CsvColumns, SeveralTablesAreMethodsByTheNamesOfTheirFiles) {
+  const ResultTable table =
+      columns_from_csv({{"world,success,time\nw1,1,5\nw2,0,9\n", "runs/teb.csv"},
+                        {"success;world;jerk\n1;w1;0.25\n1;w2;0.5\n", "runs/dwa.csv"}});
+  ASSERT_EQ(table.size(), 4U);
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"dwa", "teb"}));
+  EXPECT_EQ(table.scenario_names, (std::vector<std::string>{"w1", "w2"}));
+  EXPECT_EQ(table.methods[table.method[0]], "teb");
+  EXPECT_EQ(table.methods[table.method[3]], "dwa");
+  EXPECT_EQ(find_metric(table, "success")->number(2), 1);
+  EXPECT_EQ(find_metric(table, "jerk")->number(3), 0.5);
+  EXPECT_TRUE(find_metric(table, "jerk")->is_na(0));
+  EXPECT_TRUE(find_metric(table, "time")->is_na(2));
+  // Two files of one name differ by their folders.
+  const std::string one = "world,success\nw1,1\n";
+  EXPECT_EQ(columns_from_csv({{one, "a/runs.csv"}, {one, "b/runs.csv"}}).methods,
+            (std::vector<std::string>{"a/runs", "b/runs"}));
+}
+
+TEST(CsvColumns, SeveralTablesKeepTheirMethodsIfAllHaveSome) {
+  const std::string first = "method,success\na,1\nb,0\n", second = "planner,success\na,1\n";
+  EXPECT_EQ(columns_from_csv({{first, "1.csv"}, {first, "2.csv"}}).methods,
+            (std::vector<std::string>{"a", "b"}));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "3.csv: ", {"has no column of methods"}, [&] {
+    columns_from_csv({{first, "1.csv"}, {"success\n1\n", "3.csv"}});
+  }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "2.csv:2: ", {"unknown outcome 'fine'"}, [&] {
+    columns_from_csv({{"outcome,time\nsuccess,1\n", "1.csv"}, {"outcome,time\nfine,1\n", "2.csv"}});
+  }));
+}
+
 TEST(CsvColumns, AResultOfNumbersAndARunOfTextAreNoKeys) {
   const ResultTable table =
       columns_from_csv("method,result,run\na,0.5,first\nb,1.5,second\n", "t.csv");

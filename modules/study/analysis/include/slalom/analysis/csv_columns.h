@@ -54,6 +54,16 @@ std::map<std::string, Range> parse_column_ranges(const std::string& text);
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options = {});
 
+/// A table as it stands in a file.
+struct CsvFile {
+  std::string text, name;
+};
+
+/// The same of the rows of several tables. If none of them has a column of methods, each is of one
+/// method, with the name of its file. Throws Error (File) also if only some have one.
+ResultTable columns_from_csv(const std::vector<CsvFile>& files,
+                             const CsvColumnOptions& options = {});
+
 /// Decides the kind of each column over all tables: a column of 0 and 1 is a rate only if it is one
 /// in all tables that have it.
 void unify_kinds(std::vector<ResultTable>& tables);

@@ -18,6 +18,11 @@ ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options);
 
+/// The runs of several tables as CSV: see columns_from_csv(). Throws Error (File) also for what is
+/// no such table.
+ResultTable read_analysis_tables(const std::vector<std::string>& paths,
+                                 const CsvColumnOptions& options);
+
 /// Replaces indexes by their edges in the scenario list. Throws Error (Usage) for an index without
 /// a list, an unknown index and one of another descriptor.
 std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path);
