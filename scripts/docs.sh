@@ -12,10 +12,11 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 version=$(sed -n 's/^project(slalom VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 
-# Its first page is the table of modules.
+# Its first page is the table of modules, whose links lead to files that it does not have.
 {
   echo "# Slalom's modules {#mainpage}"
-  sed -n '/^## Modules$/,/^## Design invariants$/p' docs/develop/architecture.md | sed '1d;$d'
+  sed -n '/^## Modules$/,/^## Design invariants$/p' docs/develop/architecture.md |
+    sed -E '1d;$d; s/\[([^]]*)\]\([^)]*\)/\1/g'
 } >"$work/modules.md"
 {
   cat docs/Doxyfile
@@ -24,7 +25,10 @@ version=$(sed -n 's/^project(slalom VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
   echo "INPUT += $work/modules.md"
   echo "USE_MDFILE_AS_MAINPAGE = $work/modules.md"
 } >"$work/Doxyfile"
-[ "${SLALOM_API:-ON}" = OFF ] || { doxygen "$work/Doxyfile" && mv "$work/html" "$work/api"; }
+if [ "${SLALOM_API:-ON}" != OFF ]; then
+  doxygen "$work/Doxyfile"
+  mv "$work/html" "$work/api"
+fi
 
 if [ "${SLALOM_REGISTRY:-}" != OFF ]; then
   bin=$(realpath -m "${SLALOM_BIN:-build/release/bin}")

@@ -15,9 +15,9 @@ SimulationResult evaluate_trajectory(const World& world, const RobotModel& robot
                                      const SimulationOptions& options, const Trajectory& log,
                                      const PeopleSettings& people = {});
 
-/// SimulationResult::movers and ::hindrances of a recorded run: people react to the recorded robot,
-/// as they did in a simulated run with these settings, to the bit. Between samples the robot moves
-/// straight.
+/// SimulationResult::movers and SimulationResult::hindrances of a recorded run: people react to the
+/// recorded robot, as they did in a simulated run with these settings, to the bit. Between samples
+/// the robot moves straight.
 Movers movers_along(const World& world, const RobotModel& robot, const SimulationOptions& options,
                     const Trajectory& log, const PeopleSettings& people,
                     Hindrances* hindrances = nullptr);
