@@ -96,6 +96,36 @@ TEST_F(ImportProgram, ImagesBecomeMapsWithPairsOfTheRequestedDifficulty) {
       2, {"distance from 3 to 2"});
 }
 
+TEST_F(ImportProgram, PairsOfAFileAreNamedByItsLines) {
+  write("area.pgm", "P2 8 4 255\n" + std::string("255 255 255 0 255 255 255 255 ") +
+                        "255 255 255 0 255 255 255 255 255 255 255 0 255 255 255 255 "
+                        "255 255 255 0 255 255 255 255\n");  // a wall from x 3 to 4
+  write("pairs.csv", "x,y,phi,gx,gy\n1,1,0,2,3\n5,1,0,7,3\n");
+  const std::string import =
+      "slalom-scenarios import area.pgm --image-resolution 1 -o a.scenarios --pairs ";
+  ASSERT_EQ(run(import + "pairs.csv").status, 0);
+  const std::string shown = run("slalom-scenarios show a.scenarios --id area_line3").out;
+  EXPECT_NE(shown.find("goal            7 m, 3 m"), std::string::npos) << shown;
+  write("goals.csv", "2,3\n7,3\n");
+  expect_failure(import + "goals.csv --start 1,1,0", 1, {"goals.csv:2: ", "unsolvable pair"});
+  expect_failure(import + "goals.csv --start 1,1,0 --goal 2,2", 2, {"--goal: goals.csv has"});
+  expect_failure(import + "0", 2, {"--pairs: 0 is out of range", "1 to 1000000"});
+  expect_failure(import + "none.csv", 3, {"none.csv"});
+  write("m.map", kMap);
+  write("m.map.scen", kProblems);
+  expect_failure(
+      "slalom-scenarios import m.map --cell-size 1 --scen m.map.scen --pairs goals.csv "
+      "-o b.scenarios",
+      2, {"--pairs: m.map.scen has the pairs"});
+}
+
+TEST_F(ImportProgram, OptionsOutOfRangeAreRefusedWithTheirRange) {
+  const std::string import = "slalom-scenarios import area.pgm -o a.scenarios ";
+  expect_failure(import + "--margin -1", 2, {"--margin: '-1' is not valid", "a number > 0, in m"});
+  expect_failure(import + "--image-threshold 256", 2, {"'256'", "an integer in [1, 255]"});
+  expect_failure(import + "--task other", 2, {"--task", "other"});
+}
+
 TEST_F(ImportProgram, BarnWorldsKeepTheirPathAndItsMetrics) {
   // A generated world: 30 x 30 cells, free except rows 0 and 29, with a path along row 15.
   const auto npy = [](int rows, int columns, const std::vector<int>& numbers) {

@@ -24,6 +24,8 @@ namespace {
 ProblemSelection problem_choice(const ImportRequest& request) {
   ProblemSelection choice;
   choice.count = sampled_pairs(request);
+  if (choice.count == 0 && !request.pairs.empty())
+    throw usage_error("--pairs", request.problems + " has the pairs", "how many of them");
   if (request.buckets.empty()) return choice;
   const std::size_t dash = request.buckets.find('-');
   const std::string first = request.buckets.substr(0, dash),

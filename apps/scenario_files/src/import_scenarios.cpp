@@ -107,6 +107,8 @@ std::optional<mrpt::math::TPose2D> requested_start(const ImportRequest& request)
 
 /// The map with each pair of a file.
 std::vector<Scenario> with_pairs_of_file(const ImportedWorld& map, const ImportRequest& request) {
+  if (!request.goal.empty())
+    throw usage_error("--goal", request.pairs + " has the goals", "either of them");
   std::optional<mrpt::math::TPose2D> start = requested_start(request);
   if (!start) start = map.start;
   std::vector<Scenario> scenarios;

@@ -6,7 +6,6 @@
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_pairs.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -18,11 +17,9 @@ constexpr char kExpected[] =
 constexpr std::size_t kMaxPairs = 1'000'000;
 
 /// The numbers of a line; none if it has something else.
-std::vector<double> numbers_in(std::string line) {
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\t'; }, ' ');
+std::vector<double> numbers_in(const std::string& line) {
   std::vector<double> numbers;
-  for (const std::string& field : split_nonempty(line, ' ')) {
+  for (const std::string& field : separated_fields(line)) {
     double number = 0;
     if (!parse_number(field, number) || !std::isfinite(number)) return {};
     numbers.push_back(number);

@@ -41,6 +41,9 @@ GrayImage parse_pgm(const std::string& bytes, const std::string& path);
 bool is_png(const std::string& bytes);
 GrayImage parse_png(const std::string& bytes, const std::string& path);
 
+/// The fields of a line, separated by any number of blanks, tabs, commas and semicolons.
+std::vector<std::string> separated_fields(const std::string& line);
+
 /// Maximum size of map files: four characters for each cell.
 constexpr std::uint64_t kMaxMapSize = 4 * kMaxCells;
 

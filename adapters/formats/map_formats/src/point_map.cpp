@@ -36,7 +36,7 @@ class PointLines {
  private:
   void add_line(std::string line) {
     line.erase(std::min(line.find_first_of("#%"), line.size()));
-    const std::vector<std::string> fields = fields_of(line);
+    const std::vector<std::string> fields = separated_fields(line);
     if (!begun_ && columns_.empty() && is_header(fields)) return;
     const std::vector<double> values =
         numbers(columns_.empty() || fields.empty() ? fields : chosen(fields));
@@ -52,18 +52,6 @@ class PointLines {
         values.size() < 3 || (values[2] >= options_.z_min && values[2] <= options_.z_max);
     if (in_height_range)
       map_.insertPoint(static_cast<float>(values[0]), static_cast<float>(values[1]), 0);
-  }
-
-  static std::vector<std::string> fields_of(const std::string& line) {
-    constexpr char kSeparators[] = " \t\r,;";
-    std::vector<std::string> fields;
-    std::size_t at = line.find_first_not_of(kSeparators);
-    while (at != std::string::npos) {
-      const std::size_t end = std::min(line.find_first_of(kSeparators, at), line.size());
-      fields.push_back(line.substr(at, end - at));
-      at = line.find_first_not_of(kSeparators, end);
-    }
-    return fields;
   }
 
   /// Whether the line names columns x and y: their places, and that of z if there is one.
@@ -111,6 +99,18 @@ class PointLines {
 };
 
 }  // namespace
+
+std::vector<std::string> separated_fields(const std::string& line) {
+  constexpr char kSeparators[] = " \t\r,;";
+  std::vector<std::string> fields;
+  std::size_t at = line.find_first_not_of(kSeparators);
+  while (at != std::string::npos) {
+    const std::size_t end = std::min(line.find_first_of(kSeparators, at), line.size());
+    fields.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(kSeparators, end);
+  }
+  return fields;
+}
 
 bool is_point_map(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
