@@ -17,14 +17,14 @@ constexpr char kExpected[] =
     "Odometry, PoseStamped or PoseWithCovarianceStamped of ros2 topic echo";
 constexpr std::size_t kMaxEchoed = 64U << 20;  // bytes: the documents of YAML take many times that
 
-/// The texts between lines "---".
+/// The texts between lines "---". A last line without its end may lack digits, and is left out.
 std::vector<std::string> documents_of(const std::string& text) {
   std::vector<std::string> documents(1);
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; std::getline(lines, line) && !lines.eof();) {
     if (starts_with(line, "---"))
       documents.emplace_back();
-    else if (starts_with(line, " ") || !starts_with(line, "#"))
+    else
       documents.back() += line + "\n";
   }
   return documents;

@@ -223,8 +223,6 @@ std::optional<LogColumns> columns_of_message(const std::vector<std::string>& fie
     columns.has_header = false;
     columns.names = message.names;
     columns.message = message.type;
-    columns.sources[kTime] = LogColumns::Source{0, 1};
-    columns.nanoseconds = 1;
     return columns;
   }
   return std::nullopt;
@@ -317,6 +315,10 @@ LogColumns find_log_columns(const std::string& line, const std::string& columns_
   for (const std::string& choice : split_nonempty(columns_option, ','))
     choose_column(choice, columns, lines);
   auto& sources = columns.sources;
+  if (!columns.message.empty() && !sources[kTime]) {
+    sources[kTime] = LogColumns::Source{0, 1};
+    columns.nanoseconds = 1;
+  }
   for (std::size_t i = 0; i < sources.size(); ++i)
     if (!sources[i]) sources[i] = find_column(kAliases[i], columns, lines);
   for (const std::size_t i : {kTime, kX, kY})

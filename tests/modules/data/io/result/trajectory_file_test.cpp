@@ -528,6 +528,14 @@ TEST(TrajectoryFile, ReadsMessagesThatRos2TopicEchoPrintsWithoutNames) {
   }
 }
 
+TEST(TrajectoryFile, ScalesTheTimeOfAMessageIfItIsAsked) {
+  const std::string pose = ",500000000,map,1.0,2.0,0.0,0.0,0.0,0.0,1.0\n";
+  const auto samples =
+      read("7" + pose + "9" + pose, false, "t=header.stamp.sec*2").trajectory.samples;
+  EXPECT_EQ(samples[0].t, 14);
+  EXPECT_EQ(samples[1].t, 18);
+}
+
 TEST(TrajectoryFile, NamesTheMessagesThatItReadsWhereOneHasNoPose) {
   const std::string twist = "7,500000000,base_link,0.1,0.0,0.0,0.0,0.0,0.2\n";
   EXPECT_TRUE(refused_log(twist, "log:1: ", {"no header line before 9 fields", "Odometry (89)"}));
@@ -571,6 +579,10 @@ TEST(TrajectoryFile, LeavesOutAnEchoedMessageThatWasCutOff) {
   EXPECT_EQ(read(echoed_pose("7", 1) + echoed_pose("8", 1) + cut).trajectory.samples.size(), 2U);
   EXPECT_TRUE(refused_log(echoed_pose("7", 1) + cut + "---\n" + echoed_pose("8", 1), "log",
                           {"message 2 has no time and pose", "Odometry"}));
+  // Digits that are missing would be another pose.
+  std::string digits = echoed_pose("9", 2);
+  digits.erase(digits.find("w: 0.0") + 4);
+  EXPECT_EQ(read(echoed_pose("7", 1) + echoed_pose("8", 1) + digits).trajectory.samples.size(), 2U);
   EXPECT_TRUE(refused_log("header:\n  stamp: [[\n", "log", {"message 1"}));
   EXPECT_TRUE(refused_log(echoed_pose("7", 1), "log (messages):", {"only 1 samples"}));
 }
