@@ -48,7 +48,11 @@ ResultTable read_analysis_input(const std::string& path,
 ResultTable read_analysis_tables(const std::vector<std::string>& paths,
                                  const CsvColumnOptions& options) {
   std::vector<CsvFile> files;
-  for (const std::string& path : paths) files.push_back({text_of_table(path), path});
+  for (const std::string& path : paths) {
+    if (read_benchmark_table(path))
+      throw file_error(path, "is a table of a benchmark", "several tables only as CSV");
+    files.push_back({text_of_table(path), path});
+  }
   return columns_from_csv(files, with_known_columns(options));
 }
 

@@ -315,8 +315,7 @@ class NumberColumns {
   }
 
   std::string text_reason(const std::vector<std::string>& fields) const {
-    return "line " + std::to_string(csv_.line(text_row_)) + ": " + shown(fields[text_row_]) +
-           " is not a number";
+    return csv_.short_where(text_row_) + ": " + shown(fields[text_row_]) + " is not a number";
   }
 
   /// False if there are no numbers, or a field is text: text_row_.
@@ -330,7 +329,7 @@ class NumberColumns {
         values.push_back(Value::na(field.empty() ? "empty" : field));
         continue;
       }
-      if (!parse_field(field, csv_.separator(), number)) return false;
+      if (!parse_field(field, csv_.separator(text_row_), number)) return false;
       const bool is_sentinel = std::abs(number) > kMaxNumber;
       values.push_back(is_sentinel ? Value::na(field) : Value::of(number));
       too_large = too_large || is_sentinel;
@@ -470,7 +469,12 @@ void add_notes(ResultTable& table, const KeyColumns& keys, const NumberColumns& 
   if (!parts.empty()) table.notes.push_back(join(parts, "; "));
 }
 
-/// The names of files without folder and ending; with the folder if two are equal.
+bool are_different(const std::vector<std::string>& names) {
+  return std::set<std::string>(names.begin(), names.end()).size() == names.size();
+}
+
+/// The names of files without folder and ending; with the folder if two are equal. Throws Error
+/// (File) if they are equal then, too.
 std::vector<std::string> method_names(const std::vector<CsvFile>& files) {
   std::vector<std::string> stems, paths;
   for (const CsvFile& file : files) {
@@ -478,8 +482,11 @@ std::vector<std::string> method_names(const std::vector<CsvFile>& files) {
     stems.push_back(path.stem().string());
     paths.push_back((path.parent_path() / path.stem()).string());
   }
-  const bool are_unique = std::set<std::string>(stems.begin(), stems.end()).size() == stems.size();
-  return are_unique ? stems : paths;
+  if (are_different(stems)) return stems;
+  if (!are_different(paths))
+    throw file_error(files[0].name, "is one of two tables of the same method, the name of the file",
+                     "other names, or a column method");
+  return paths;
 }
 
 ResultTable columns_of(const CsvTable& csv, const CsvColumnOptions& options) {
@@ -501,7 +508,7 @@ ResultTable columns_of(const CsvTable& csv, const CsvColumnOptions& options) {
   require_columns(columns, "--range", keys_of(options.ranges));
   require_columns(columns, "--unconditional", options.unconditional);
   std::vector<std::string> notes;
-  if (csv.separator() == ' ') notes.emplace_back("separated by blanks");
+  if (csv.has_blanks()) notes.emplace_back("separated by blanks");
   if (const std::string note = outcomes.note(); !note.empty()) notes.push_back(note);
   if (const auto ids = make_conditional(columns, options); !ids.empty())
     notes.push_back("not available in runs that failed: " + join(ids, ", ") + " (--unconditional)");
@@ -540,16 +547,21 @@ ResultTable columns_from_csv(const std::string& text, const std::string& name,
 
 ResultTable columns_from_csv(const std::vector<CsvFile>& files, const CsvColumnOptions& options) {
   std::vector<CsvTable> tables;
-  std::vector<std::string> without_method, stems = method_names(files);
+  std::vector<std::string> names, without_method;
   for (const CsvFile& file : files) {
+    if (contains(names, file.name))
+      throw file_error(file.name, "is given twice", "each table once");
+    names.push_back(file.name);
     tables.emplace_back(file.text, file.name, options.names);
     if (KeyColumns(tables.back(), options).method == nullptr) without_method.push_back(file.name);
   }
-  if (without_method.size() == files.size())
-    for (std::size_t i = 0; i < files.size(); ++i) tables[i].add_column("method", stems[i]);
-  else if (!without_method.empty())
+  if (without_method.size() == files.size()) {
+    const std::vector<std::string> methods = method_names(files);
+    for (std::size_t i = 0; i < files.size(); ++i) tables[i].add_column("method", methods[i]);
+  } else if (!without_method.empty()) {
     throw file_error(without_method[0], "has no column of methods, as another table has",
                      "a column method in all tables, or in none for the names of the files");
+  }
   return columns_of(CsvTable(tables), options);
 }
 

@@ -98,10 +98,10 @@ std::string text_of_field(const std::string& field) {
 
 CsvTable::CsvTable(const std::string& content, const std::string& name,
                    const std::vector<std::string>& names)
-    : name_(name), files_{name}, header_(names), has_header_(names.empty()) {
+    : name_(name), header_(names), has_header_(names.empty()) {
   const std::string text = has_header_ ? without_mark(content) : content;
-  separator_ = separator_of(text, header_.size());
-  CsvRecords records(text, separator_);
+  files_ = {{name, separator_of(text, header_.size())}};
+  CsvRecords records(text, files_[0].separator);
   if (has_header_) read_header(records.next());
   refuse_duplicate_names();
   fields_.resize(header_.size());
@@ -113,8 +113,7 @@ CsvTable::CsvTable(const std::string& content, const std::string& name,
   if (rows() == 0) throw file_error(name_, "no rows", "a header line and rows of numbers");
 }
 
-CsvTable::CsvTable(const std::vector<CsvTable>& tables)
-    : separator_(tables.at(0).separator_), has_header_(true) {
+CsvTable::CsvTable(const std::vector<CsvTable>& tables) : has_header_(true) {
   for (const CsvTable& table : tables) {
     for (const std::string& id : table.header_)
       if (!contains(header_, id)) header_.push_back(id);
@@ -122,7 +121,7 @@ CsvTable::CsvTable(const std::vector<CsvTable>& tables)
       places_.push_back({files_.size() + place.file, place.line});
     files_.insert(files_.end(), table.files_.begin(), table.files_.end());
   }
-  name_ = join(files_, ", ");
+  for (const File& file : files_) name_ += (name_.empty() ? "" : ", ") + file.name;
   for (const std::string& id : header_) {
     std::vector<std::string>& fields = fields_.emplace_back();
     for (const CsvTable& table : tables) {
@@ -137,7 +136,16 @@ CsvTable::CsvTable(const std::vector<CsvTable>& tables)
 }
 
 std::string CsvTable::where(std::size_t row) const {
-  return files_[places_[row].file] + ":" + std::to_string(places_[row].line);
+  return files_[places_[row].file].name + ":" + std::to_string(places_[row].line);
+}
+
+std::string CsvTable::short_where(std::size_t row) const {
+  return files_.size() > 1 ? where(row) : "line " + std::to_string(places_[row].line);
+}
+
+bool CsvTable::has_blanks() const {
+  return std::any_of(files_.begin(), files_.end(),
+                     [](const File& file) { return file.separator == kBlanks; });
 }
 
 void CsvTable::add_column(const std::string& id, const std::string& text) {

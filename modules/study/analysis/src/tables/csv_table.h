@@ -16,18 +16,20 @@ class CsvTable {
            const std::vector<std::string>& names);
 
   /// The rows of several tables, one after another. A field of a column that a table does not have
-  /// is empty. The separator is that of the first.
+  /// is empty.
   explicit CsvTable(const std::vector<CsvTable>& tables);
 
   const std::string& name() const { return name_; }  ///< of the file, or of all with commas
   std::size_t rows() const { return places_.size(); }
-  std::size_t line(std::size_t row) const { return places_[row].line; }  ///< in its file
-  char separator() const { return separator_; }  ///< a blank for any number of blanks
+  char separator(std::size_t row) const { return files_[places_[row].file].separator; }
+  bool has_blanks() const;  ///< as separators, any number of them
   const std::vector<std::string>& header() const { return header_; }
   const std::vector<std::string>& column(std::size_t i) const { return fields_[i]; }
 
   /// FILE:LINE of a row.
   std::string where(std::size_t row) const;
+  /// The same, or "line LINE" where there is one file.
+  std::string short_where(std::size_t row) const;
   /// Adds a column with that text in every row.
   void add_column(const std::string& id, const std::string& text);
 
@@ -37,9 +39,13 @@ class CsvTable {
     std::size_t file, line;
   };
 
+  struct File {
+    std::string name;
+    char separator = ',';  ///< a blank for any number of blanks
+  };
+
   std::string name_;
-  std::vector<std::string> files_;
-  char separator_ = ',';
+  std::vector<File> files_;
   std::vector<std::string> header_;
   bool has_header_;
   std::vector<std::vector<std::string>> fields_;

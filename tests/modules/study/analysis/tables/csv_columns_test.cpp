@@ -197,6 +197,25 @@ TEST(CsvColumns, SeveralTablesAreMethodsByTheNamesOfTheirFiles) {
             (std::vector<std::string>{"a/runs", "b/runs"}));
 }
 
+TEST(CsvColumns, SeveralTablesHaveTheirOwnSeparatorsAndLines) {
+  const ResultTable table = columns_from_csv({{"world,time,stack\nw1,12.5,1\n", "a.csv"},
+                                              {"world;time;stack\nw1;12,25;melodic\n", "b.csv"}});
+  EXPECT_EQ(find_metric(table, "time")->number(0), 12.5);
+  EXPECT_EQ(find_metric(table, "time")->number(1), 12.25);
+  EXPECT_TRUE(mentions(notes_of(table), {"stack (b.csv:2: 'melodic' is not a number)"}));
+}
+
+TEST(CsvColumns, ATableCountsOnceAndMethodsHaveDifferentNames) {
+  const std::string one = "success\n1\n", two = "method,success\na,1\n";
+  for (const std::string& text : {one, two})
+    EXPECT_TRUE(throws_error(ErrorKind::File, "a.csv: ", {"is given twice"}, [&] {
+      columns_from_csv({{text, "a.csv"}, {text, "a.csv"}});
+    }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "a.csv: ", {"the same method"}, [&] {
+    columns_from_csv({{one, "a.csv"}, {one, "a.tsv"}});
+  }));
+}
+
 TEST(CsvColumns, SeveralTablesKeepTheirMethodsIfAllHaveSome) {
   const std::string first = "method,success\na,1\nb,0\n", second = "planner,success\na,1\n";
   EXPECT_EQ(columns_from_csv({{first, "1.csv"}, {first, "2.csv"}}).methods,

@@ -60,7 +60,8 @@ struct CsvFile {
 };
 
 /// The same of the rows of several tables. If none of them has a column of methods, each is of one
-/// method, with the name of its file. Throws Error (File) also if only some have one.
+/// method, with the name of its file. Throws Error (File) also if only some have one, for a table
+/// that is given twice and for two methods of one name.
 ResultTable columns_from_csv(const std::vector<CsvFile>& files,
                              const CsvColumnOptions& options = {});
 
