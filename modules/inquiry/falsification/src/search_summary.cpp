@@ -13,10 +13,10 @@ std::string tally_text(const SearchTally& tally) {
   std::vector<std::string> parts;
   for (const auto& [outcome, runs] : tally.outcomes)
     parts.push_back(std::to_string(runs) + " " + outcome);
-  return std::to_string(tally.failures) + " failures in " + std::to_string(tally.runs) + " runs (" +
+  return count_text(tally.failures, "failure") + " in " + count_text(tally.runs, "run") + " (" +
          join(parts, ", ") +
          (tally.without_witness > 0
-              ? "; " + std::to_string(tally.without_witness) + " failures without a witness"
+              ? "; " + count_text(tally.without_witness, "failure") + " without a witness"
               : "") +
          ")";
 }
