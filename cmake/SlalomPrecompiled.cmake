@@ -35,7 +35,7 @@ function(slalom_optimize TARGET PRECOMPILED OPTIMIZATION)
   endif()
 endfunction()
 
-# For the modules that follow in modules/CMakeLists.txt: all of them depend on MRPT's maps.
+# For the modules that are added after it: all of them depend on MRPT's maps.
 function(slalom_precompile_for_modules OPTIMIZATION)
   if(SLALOM_PRECOMPILE_HEADERS)
     set(target slalom_precompiled${OPTIMIZATION})
