@@ -37,9 +37,7 @@ std::vector<ResultTable> read_inputs(const InterpretArguments& arguments,
   const bool joined = are_parts(arguments.files, interpreter);
   require_number_of_results(interpreter, joined ? 1 : arguments.files.size());
   const auto columns = requested_columns(arguments.request, interpreter);
-  CsvColumnOptions options = arguments.table;
-  options.up = split_nonempty(arguments.up, ',');
-  options.down = split_nonempty(arguments.down, ',');
+  const CsvColumnOptions& options = arguments.table;
   std::vector<ResultTable> results;
   if (joined) {
     results.push_back(read_analysis_tables(arguments.files, options));

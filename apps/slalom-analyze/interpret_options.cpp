@@ -30,9 +30,7 @@ void add_choice_options(CLI::App& verb, InterpretArguments& a) {
   verb.add_option("--confidence", a.request.confidence,
                   "Confidence of intervals, e.g. 0.95; the level of tests is 1 - confidence")
       ->check(CLI::Range(0.5, 0.9999));
-  verb.add_option("--up", a.up, "CSV: columns of which more is better");
-  verb.add_option("--down", a.down, "CSV: columns of which less is better");
-  add_key_options(verb, a.table);
+  add_key_options(verb, a.table, false);
 }
 
 void add_comparison_options(CLI::App& verb, InterpretArguments& a) {

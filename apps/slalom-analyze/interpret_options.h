@@ -17,8 +17,7 @@ struct InterpretArguments {
   std::vector<std::string> files;
   std::string scenarios;   ///< list with the indexes of the rows
   std::string csv_file;    ///< of --csv
-  std::string up, down;    ///< columns of CSV files
-  CsvColumnOptions table;  ///< of CSV files, without these
+  CsvColumnOptions table;  ///< of CSV files
   std::string output;
   bool csv = false, json = false, latex = false, html = false;
   int jobs = 1;  ///< threads that read shards

@@ -6,44 +6,51 @@
 namespace slalom {
 namespace {
 
-void add_words(CLI::App& verb, const std::string& name, std::vector<std::string>& words,
-               const std::string& help) {
-  verb.add_option_function<std::string>(
+CLI::Option* add_words(CLI::App& verb, const std::string& name, std::vector<std::string>& words,
+                       const std::string& help) {
+  return verb.add_option_function<std::string>(
       name, [&words](const std::string& text) { words = split(text, ','); }, help);
 }
 
 }  // namespace
 
-void add_key_options(CLI::App& verb, CsvColumnOptions& options) {
-  verb.add_option("--method-column", options.method,
-                  "CSV: column of the methods (default: method, planner, local_planner, algorithm "
-                  "or controller)");
-  verb.add_option("--scenario-column", options.scenario,
-                  "CSV: column of the scenarios (default: scenario, world, map, environment or "
-                  "env)");
-  verb.add_option("--repetition-column", options.repetition,
-                  "CSV: column of the repetitions (default: repetition, trial, run or episode)");
-  verb.add_option(
-      "--outcome-column", options.outcome,
-      "CSV: column of the outcomes (default: outcome; result, status, state or done_reason "
-      "with words of outcomes)");
-  add_words(verb, "--success-word", options.success_words,
-            "CSV: outcomes that mean success, comma-separated; unknown ones are then failures");
-  add_words(verb, "--names", options.names,
-            "CSV without a header line: the names of its columns, such as "
-            "world,success,collided,timeout,time,metric");
-  add_words(verb, "--unconditional", options.unconditional,
-            "CSV: columns that count in runs that failed, too (default: times, lengths and the "
-            "like do not)");
-  verb.add_option_function<std::string>(
-      "--kind", [&options](const std::string& text) { options.kinds = parse_column_kinds(text); },
-      "CSV: kind of the values of columns, COLUMN=KIND,...: rate (0 or 1), count, amount, ratio or "
-      "score (0 in failures) (default: rate for columns of 0 and 1)");
-  verb.add_option_function<std::string>(
-      "--range",
-      [&options](const std::string& text) { options.ranges = parse_column_ranges(text); },
-      "CSV: range of the values of columns, within which their intervals are, such as "
-      "score=0..1,time=0..");
+void add_key_options(CLI::App& verb, CsvColumnOptions& options, bool shown) {
+  CLI::Option* all[] = {
+      verb.add_option("--method-column", options.method,
+                      "Column of the methods (default: method, planner, local_planner, algorithm "
+                      "or controller)"),
+      verb.add_option(
+          "--scenario-column", options.scenario,
+          "Column of the scenarios (default: scenario, world, map, environment or env)"),
+      verb.add_option("--repetition-column", options.repetition,
+                      "Column of the repetitions (default: repetition, trial, run or episode)"),
+      verb.add_option(
+          "--outcome-column", options.outcome,
+          "Column of the outcomes (default: outcome; result, status, state or done_reason "
+          "with words of outcomes)"),
+      add_words(verb, "--success-word", options.success_words,
+                "Outcomes that mean success, comma-separated; unknown ones are then failures"),
+      add_words(verb, "--names", options.names,
+                "The names of the columns of a table without a header line, such as "
+                "world,success,collided,timeout,time,metric"),
+      add_words(verb, "--up", options.up, "Columns of which more is better"),
+      add_words(verb, "--down", options.down, "Columns of which less is better"),
+      add_words(verb, "--unconditional", options.unconditional,
+                "Columns that count in runs that failed, too (default: times, lengths and the "
+                "like do not)"),
+      verb.add_option_function<std::string>(
+          "--kind",
+          [&options](const std::string& text) { options.kinds = parse_column_kinds(text); },
+          "Kind of the values of columns, COLUMN=KIND,...: rate (0 or 1), count, amount, ratio or "
+          "score (0 in failures) (default: rate for columns of 0 and 1)"),
+      verb.add_option_function<std::string>(
+          "--range",
+          [&options](const std::string& text) { options.ranges = parse_column_ranges(text); },
+          "Range of the values of columns, within which their intervals are, such as "
+          "score=0..1,time=0.."),
+  };
+  for (CLI::Option* option : all)
+    if (!shown) option->group("");
 }
 
 }  // namespace slalom

@@ -7,7 +7,8 @@
 
 namespace slalom {
 
-/// Adds the options that name the columns of a CSV file by which its rows are runs.
-void add_key_options(CLI::App& verb, CsvColumnOptions& options);
+/// Adds the options that say how the columns of a table are read. They are those of `import`; all
+/// other verbs that read a table have them, too, not `shown` in their help.
+void add_key_options(CLI::App& verb, CsvColumnOptions& options, bool shown);
 
 }  // namespace slalom

@@ -2,7 +2,9 @@
 #include "export.h"
 #include "figure.h"
 #include "history_report.h"
+#include "import_table.h"
 #include "interpret.h"
+#include "key_options.h"
 #include "metrics.h"
 #include "output.h"
 #include "registry.h"
@@ -21,9 +23,11 @@
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/falsification/cluster_report.h>
 #include <slalom/io/find_run.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
+#include <slalom/report/analysis_input.h>
 #include <slalom/report/report.h>
 
 #include <filesystem>
@@ -37,7 +41,8 @@ namespace {
 struct Arguments {
   std::vector<std::string> all_results;  ///< of report
   std::string results, rows, columns, output, run;
-  double confidence = 0;  ///< 0: that of the campaign
+  CsvColumnOptions table;  ///< of tables
+  double confidence = 0;   ///< 0: that of the campaign
   bool json = false, quiet = false, single_file = false, despite_settings = false;
 };
 
@@ -111,11 +116,19 @@ void report_several(const std::vector<std::string>& paths, const std::vector<Res
 }
 
 void report_verb(const Arguments& arguments) {
+  const ScratchFolder imported;
   std::vector<std::string> paths;
   std::vector<ResultTable> results;
   for (const std::string& path : arguments.all_results) {
     paths.push_back(reported_path(path));
+    if (!is_result_input(path) && !ends_with(path, ".results")) {
+      const ResultTable table = read_analysis_input(path, std::nullopt, true, arguments.table);
+      warn_of_missing(path, table);
+      paths.back() = imported.path() + "/" + std::to_string(paths.size()) + ".results";
+      write_imported(table, paths.back());
+    }
     results.push_back(read_results(paths.back()));
+    sort_rows(results.back());  // rows of a table have their own order
     warn_of_missing(paths.back(), results.back());
   }
   const std::filesystem::path output = arguments.output;
@@ -161,11 +174,13 @@ void define_report(CLI::App& app, Arguments& arguments) {
   CLI::App* verb = app.add_subcommand("report", "Write a self-contained HTML report");
   verb->add_option(
           "results", arguments.all_results,
-          "A result file (.results), a folder with the shards of a campaign, or a folder of "
-          "slalom-falsify, whose clusters of failures are reported as well; several, such as those "
-          "of successive versions: a report of each, and what changed")
+          "A result file (.results), a folder with the shards of a campaign, a table (.csv), or a "
+          "folder of slalom-falsify, whose clusters of failures are reported as well; several, "
+          "such "
+          "as those of successive versions: a report of each, and what changed")
       ->required();
   add_table_options(*verb, arguments);
+  add_key_options(*verb, arguments.table, false);
   verb->add_option("-o,--output", arguments.output,
                    "Folder to write to, or a file FILE.html that contains all of it, for mail")
       ->required();
@@ -200,6 +215,7 @@ int main(int argc, char** argv) {
                      "Tables and reports from result files, and metrics of any robot's logs", argc,
                      argv, [&arguments](CLI::App& app) {
                        define_interpreters(app);
+                       define_import(app);
                        define_report(app, arguments);
                        define_registry(app);
                        define_show(app, arguments);

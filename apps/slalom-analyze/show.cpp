@@ -4,6 +4,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/results/repeatability.h>
 #include <slalom/trajectory/trajectory.h>
 
@@ -92,6 +93,7 @@ std::string run_text(const ResultFile& file, const RunRecord& run) {
     text +=
         "descriptors of the scenario\n" + quantities_text(file.descriptors(), scenario.descriptors);
   }
+  if (is_imported(file.read_manifest())) return text;
   const RunTiming timing = file.read_timing(run);
   text += "wall clock (not reproducible)\n" + timing_text(timing);
   if (timing.output.empty()) return text;

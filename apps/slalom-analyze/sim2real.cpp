@@ -54,7 +54,7 @@ void define_sim2real(CLI::App& app) {
   complete_with(verb->add_option("--metric", arguments.metric, "Metric that orders the methods")
                     ->capture_default_str(),
                 [](const Words&) { return metric_ids(); });
-  add_key_options(*verb, arguments.table);
+  add_key_options(*verb, arguments.table, false);
   verb->add_option("--confidence", arguments.confidence, "Confidence of intervals and tests")
       ->check(CLI::Range(0.5, 0.9999))
       ->capture_default_str();

@@ -227,6 +227,66 @@ TEST_F(Analyze, SaysHowAForeignTableIsRead) {
   expect_failure("slalom-analyze table foreign.csv", 3, {"foreign.csv:2", "'CANCELED'"});
 }
 
+TEST_F(Analyze, AnImportedTableHasTheNumbersOfTheTable) {
+  std::string text = "planner,world,trial,result,time,Path Length,note\n";
+  const char* results[] = {"SUCCEEDED", "ABORTED", "collided", "timeout"};
+  for (int i = 0; i < 60; ++i)
+    text += std::string(i % 2 ? "dwa" : "teb") + ",hall " + std::to_string(i / 6) + "," +
+            std::to_string(i / 2 % 3) + "," + results[i * i % 7 % 4] + "," +
+            (i % 11 == 0 ? "inf" : std::to_string(10 + i % 13)) + "," + std::to_string(3 + i % 5) +
+            ".5,text\n";
+  write("foreign.csv", text);
+  const ProgramResult imported =
+      run("slalom-analyze import foreign.csv -o foreign.results --down time,'Path Length'");
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_EQ(imported.err,
+            "foreign.csv: not available in runs that failed: time, Path Length (--unconditional); "
+            "taken: world as scenario, planner as method, trial as repetition, result as outcome; "
+            "not used: note (line 2: 'text' is not a number)\n"
+            "foreign.results: 60 runs of 2 methods in 10 scenarios, 3 columns of numbers\n");
+  for (const std::string verb :
+       {"summary", "table --rows time:0,12,30", "map --rows 'time:0,12,30;Path Length:0,4,9'",
+        "compare --metric time", "ranks --metric success", "profile --metric time", "completion",
+        "failures", "validity", "difficulty"}) {
+    for (const std::string format : {"", " --json", " --csv"}) {
+      const ProgramResult there = run("slalom-analyze " + verb +
+                                      " foreign.csv --down time,'Path Length'" + format),
+                          here = run("slalom-analyze " + verb + " foreign.results" + format);
+      EXPECT_EQ(here.out, there.out) << verb;
+      EXPECT_EQ(here.status, there.status) << verb;
+    }
+  }
+  EXPECT_EQ(run("slalom-analyze compare foreign.results foreign.results --metric time").status, 0);
+  const std::string dumped = run("slalom-analyze dump foreign.results").out;
+  EXPECT_EQ(std::count(dumped.begin(), dumped.end(), '\n'), 60);
+  const std::string shown = run("slalom-analyze show foreign.results --run 'hall 0/teb/0'").out;
+  EXPECT_NE(shown.find("Path Length"), std::string::npos) << shown;
+  EXPECT_EQ(shown.find("wall"), std::string::npos) << shown;
+  const std::string none = "is an imported table, without scenarios and settings";
+  for (const std::string command :
+       {"slalom-simulate verify", "slalom-analyze trajectories -o there"})
+    expect_failure(command + " foreign.results", 3, {none});
+}
+
+TEST_F(Analyze, ImportNamesWhatItCannotUse) {
+  write("foreign.csv", "method,time\na,1\n");
+  expect_failure("slalom-analyze import runs.results -o x.results", 2,
+                 {"runs.results", "contains results already"});
+  expect_failure("slalom-analyze import foreign.csv -o x.csv", 2, {"--output", "FILE.results"});
+  expect_failure("slalom-analyze import foreign.csv foreign.csv -o x.results", 3,
+                 {"foreign.csv", "given twice"});
+  expect_failure("slalom-analyze import none.csv -o x.results", 3, {"none.csv"});
+}
+
+TEST_F(Analyze, ReportsATable) {
+  write("foreign.csv", "planner,world,result\ndwa,hall,SUCCEEDED\nteb,hall,ABORTED\n");
+  const ProgramResult report = run("slalom-analyze report foreign.csv -o table_report");
+  ASSERT_EQ(report.status, 0) << report.err;
+  const std::string page = read("table_report/index.html");
+  EXPECT_NE(page.find("<title>foreign.csv"), std::string::npos) << page.substr(0, 500);
+  EXPECT_NE(page.find("teb"), std::string::npos);
+}
+
 TEST_F(Analyze, ReadsATableWithoutHeader) {
   write("out.txt", "0 1 0 0 12.5 0.5\n0 0 1 0 9.1 0\n6 1 0 0 8.0 0.25\n");
   const std::string names = " --names world,success,collided,timeout,time,metric";

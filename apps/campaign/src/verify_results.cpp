@@ -15,6 +15,7 @@
 #include <slalom/descriptors/descriptor.h>
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/find_run.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/methods/registry.h>
@@ -259,6 +260,7 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
   const ResultFile file = ResultFile::open(path);
   require_intact(file);
   Manifest manifest = file.read_manifest();
+  expect_scenarios(manifest, path);
   const IniFile ini =
       arguments.config.empty() ? recorded_ini(manifest, path) : load_campaign_ini(arguments);
   CampaignConfig config = read_campaign(ini);

@@ -3,6 +3,7 @@
 #include <slalom/campaign/shards.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/io/merge_results.h>
 
 #include <algorithm>
@@ -62,6 +63,7 @@ RunPlan plan_of(const Manifest& manifest, const std::string& path) {
     const auto found = manifest.find(key);
     return found == manifest.end() ? std::string() : found->second;
   };
+  expect_scenarios(manifest, path);
   RunPlan plan;
   if (manifest.count("until") > 0 || !parse_count(text("scenarios.count"), plan.scenarios))
     throw file_error(path, "the number of its runs is not known",

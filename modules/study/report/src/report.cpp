@@ -10,6 +10,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/io/result_files.h>
 #include <slalom/report/report.h>
 #include <slalom/results/privileged.h>
@@ -119,7 +120,9 @@ class ScenarioFiles {
     const std::size_t first = entries_.size();
     std::vector<std::string> details;
     std::string picture;
-    if (const auto files = files_.with_scenario(hash); !files.empty()) {
+    const auto files =
+        is_imported(runs_.manifest) ? std::vector<const ResultFile*>() : files_.with_scenario(hash);
+    if (!files.empty()) {
       const ScenarioRuns content = read_scenario_runs(files, runs_, scenario, first);
       write_file_atomically((directory_ / "data" / ("s-" + hash.substr(0, 8) + ".js")).string(),
                             scenario_script(input_, content, directory_.string()));

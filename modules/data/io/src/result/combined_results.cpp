@@ -4,6 +4,7 @@
 
 #include <slalom/core/error.h>
 #include <slalom/io/campaign_identity.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/io/merge_results.h>
 
 #include <algorithm>
@@ -177,6 +178,7 @@ void CombinedResults::add_runs(FileRows& part, const std::vector<std::size_t>& r
 }
 
 ResultTable finish_table(ResultTable table) {
+  if (is_imported(table.manifest)) return finish_imported(std::move(table));
   sort_rows(table);  // runs are written in any order
   add_success(table);
   if (std::string note = note_on_time(table); !note.empty()) table.notes.push_back(std::move(note));

@@ -8,6 +8,7 @@
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/io/result_file.h>
 #include <slalom/results/lack_of_time.h>
 #include <slalom/trajectory/trajectory.h>
@@ -182,8 +183,9 @@ class ColumnReader {
   static void keep(std::vector<QuantityInfo>& infos, std::set<std::string>& requested) {
     std::vector<QuantityInfo> kept;
     for (QuantityInfo& info : infos) {
-      if (requested.erase(info.id) > 0) kept.push_back(std::move(info));
+      if (requested.count(id_of_imported(info.id)) > 0) kept.push_back(std::move(info));
     }
+    for (const QuantityInfo& info : kept) requested.erase(id_of_imported(info.id));
     infos = std::move(kept);
   }
 
@@ -239,8 +241,9 @@ class ColumnReader {
                                   rows.text(RunColumn::OutcomeDetail),
                                   rows.text(RunColumn::TrajectoryHash), 0});
     }
+    const bool imported = is_imported(columns_.manifest);
     for (const std::string& outcome : columns_.outcomes)
-      if (!from_name<Outcome>(outcome))
+      if (!from_name<Outcome>(outcome) && !(imported && is_outcome_of_imported(outcome)))
         throw file_error(path_, "contains an unknown outcome '" + outcome + "'",
                          "one of " + join(names_of<Outcome>(), ", "));
     expect_names(columns_);

@@ -28,6 +28,12 @@ struct RunName {
   }
 };
 
+/// "/METHOD/REPETITION" of a run.
+std::string rest_of(const ResultTable& runs, std::size_t run) {
+  const std::size_t digits = runs.scenario_hashes[runs.scenario[run]].substr(0, 8).size();
+  return run_id(runs, run).substr(digits);
+}
+
 /// Suggests another run of the scenario, or of one with a similar name. Hashes are not compared:
 /// similar ones have nothing in common.
 std::string suggestion(const ResultTable& runs, const RunName& wanted) {
@@ -35,7 +41,7 @@ std::string suggestion(const ResultTable& runs, const RunName& wanted) {
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const std::size_t scenario = runs.scenario[run];
     const std::string& name = runs.scenario_names[scenario];
-    const std::string rest = run_id(runs, run).substr(8);
+    const std::string rest = rest_of(runs, run);
     if (wanted.is_scenario(runs.scenario_hashes[scenario], name))
       of_scenario.push_back(wanted.scenario + rest);
     if (rest == wanted.rest) names.push_back(name + rest);
@@ -54,7 +60,7 @@ RunRecord find_run(const ResultFile& file, const std::string& id) {
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const std::size_t scenario = runs.scenario[run];
     if (!wanted.is_scenario(runs.scenario_hashes[scenario], runs.scenario_names[scenario]) ||
-        run_id(runs, run).substr(8) != wanted.rest)
+        rest_of(runs, run) != wanted.rest)
       continue;
     if (found)
       throw usage_error("run '" + id + "'", "ambiguous",

@@ -35,6 +35,8 @@ struct ResultFile::Impl : OpenResultFile {
   SQLite::Statement& insert_into(const std::string& table, const std::string& columns);
   /// Begins a transaction unless there is one.
   void begin();
+  /// Adds the row of a run and returns its checksum.
+  std::int64_t add(const RunRecord& run);
 };
 
 }  // namespace slalom

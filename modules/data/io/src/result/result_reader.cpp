@@ -9,6 +9,7 @@
 #include <slalom/core/expect_text.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
+#include <slalom/io/imported_table.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/references/reference_codec.h>
 
@@ -65,7 +66,7 @@ std::vector<QuantityInfo> read_quantities(const OpenResultFile& file, const std:
   while (row.executeStep()) {
     QuantityInfo info{text("id"), row.getColumn("version").getInt(), text("name"), text("unit"),
                       from_name<Direction>(text("direction")).value_or(Direction::None)};
-    expect_column_name(info);
+    expect_name(info.id, "a metric");
     const auto [value_kind, range] =
         ranges ? std::pair(text("value_kind"), text("value_range")) : unstated_range(info.id);
     set_range(info, value_kind, range, file.path);
@@ -330,8 +331,9 @@ ScenarioRecord ResultFile::read_record(const std::string& scenario_hash) const {
 Scenario ResultFile::read_scenario(const std::string& hash) const {
   const std::string what = "scenario " + hash;
   return reading(impl_->path, [&] {
-    return deserialize_scenario(read_blob(*impl_, "content", hash, what),
-                                impl_->path + ": " + what);
+    const std::string content = read_blob(*impl_, "content", hash, what);
+    if (content.empty()) expect_scenarios(read_manifest(), impl_->path);
+    return deserialize_scenario(content, impl_->path + ": " + what);
   });
 }
 
@@ -340,6 +342,7 @@ References ResultFile::read_references(const std::string& hash) const {
   return reading(impl_->path, [&] {
     PackedScenario packed;
     packed.refs = read_blob(*impl_, "refs", hash, what);
+    if (packed.refs.empty()) expect_scenarios(read_manifest(), impl_->path);
     References references = packed.unpack_references(where);
     references.timing = read_reference_timing(*impl_, hash);
     return references;

@@ -6,6 +6,9 @@
 #include <slalom/core/text.h>
 #include <slalom/results/run_record.h>
 
+#include <iomanip>
+#include <sstream>
+
 namespace slalom {
 namespace {
 
@@ -59,6 +62,21 @@ constexpr KnownRange kRangesOfVersion3[] = {
     {"amount", "0..100", "inverse_clearance"},
 };
 
+/// The column of a metric: ids of foreign tables may contain anything, and SQLite does not
+/// distinguish upper and lower case.
+std::string column_of(const QuantityInfo& info) {
+  std::ostringstream column;
+  column << std::hex << std::setfill('0');
+  for (const char c : info.id) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    if (plain)
+      column << c;
+    else
+      column << '%' << std::setw(2) << int{static_cast<unsigned char>(c)};
+  }
+  return "\"m_" + column.str() + "\"";
+}
+
 }  // namespace
 
 const DatabaseKind kResultFile = {"a result file (.results)", 0x534c5253 /* "SLRS" */,
@@ -89,14 +107,14 @@ std::string create_runs(const std::vector<QuantityInfo>& metrics) {
   std::string sql = "CREATE TABLE runs (";
   for (const Column& column : kRunColumns)
     sql += std::string(column.name) + " " + column.type + ", ";
-  for (const QuantityInfo& info : metrics) sql += "\"m_" + info.id + "\" REAL, ";
+  for (const QuantityInfo& info : metrics) sql += column_of(info) + " REAL, ";
   return sql + "checksum INTEGER NOT NULL, UNIQUE (scenario, method, repetition))";
 }
 
 std::string run_columns(const std::vector<QuantityInfo>& metrics) {
   std::vector<std::string> names;
   for (const Column& column : kRunColumns) names.emplace_back(column.name);
-  for (const QuantityInfo& info : metrics) names.push_back("m_" + info.id);
+  for (const QuantityInfo& info : metrics) names.push_back(column_of(info));
   return join({names.begin() + 1, names.end()}, ", ");
 }
 
@@ -117,14 +135,6 @@ std::pair<std::string, std::string> unstated_range(const std::string& id) {
   for (const KnownRange& known : kRangesOfVersion3)
     if (contains(split_nonempty(known.ids, ' '), id)) return {known.kind, known.range};
   return {"amount", ".."};
-}
-
-void expect_column_name(const QuantityInfo& info) {
-  const bool plain =
-      !info.id.empty() &&
-      info.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
-  if (!plain)
-    throw usage_error("result file", "invalid column name '" + info.id + "'", "a-z, 0-9, _");
 }
 
 std::int64_t header_checksum(SQLite::Database& database) {

@@ -55,8 +55,6 @@ std::string quantity_columns(SQLite::Database& database);
 bool states_ranges(SQLite::Database& database);
 /// Kind and range in the files that do not state them.
 std::pair<std::string, std::string> unstated_range(const std::string& id);
-/// Throws Error (Usage) unless the id can be a part of the name of a column.
-void expect_column_name(const QuantityInfo& info);
 
 /// Checksum of the manifest and the quantities, which the table `header` contains.
 std::int64_t header_checksum(SQLite::Database& database);

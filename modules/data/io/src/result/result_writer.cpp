@@ -5,6 +5,7 @@
 #include "value_columns.h"
 
 #include <slalom/core/error.h>
+#include <slalom/core/expect_text.h>
 #include <slalom/core/printable.h>
 
 #include <filesystem>
@@ -94,7 +95,7 @@ SQLite::Statement& ResultFile::Impl::insert_into(const std::string& table,
 ResultFile ResultFile::create(const std::string& path, const Manifest& manifest,
                               const std::vector<QuantityInfo>& descriptors,
                               const std::vector<QuantityInfo>& metrics) {
-  for (const QuantityInfo& info : metrics) expect_column_name(info);
+  for (const QuantityInfo& info : metrics) expect_name(info.id, "a metric");
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->descriptors = descriptors;
@@ -141,14 +142,20 @@ void ResultFile::add_scenario(const ScenarioRecord& record, const PackedScenario
   });
 }
 
+std::int64_t ResultFile::Impl::add(const RunRecord& run) {
+  begin();
+  if (columns_of_runs.empty()) columns_of_runs = run_columns(metrics) + ", checksum";
+  return insert_run(insert_into("runs", columns_of_runs), run, metrics);
+}
+
+void ResultFile::add_run(const RunRecord& run) {
+  writing(impl_->path, [&] { impl_->add(run); });
+}
+
 void ResultFile::add_run(const RunRecord& run, const RunTiming& timing,
                          const PackedTrajectory& trajectory) {
   writing(impl_->path, [&] {
-    impl_->begin();
-    if (impl_->columns_of_runs.empty())
-      impl_->columns_of_runs = run_columns(impl_->metrics) + ", checksum";
-    const std::int64_t checksum =
-        insert_run(impl_->insert_into("runs", impl_->columns_of_runs), run, impl_->metrics);
+    const std::int64_t checksum = impl_->add(run);
     const std::int64_t id = impl_->database->getLastInsertRowid();
     CheckedInsert(impl_->insert_into("trajectories", "run, content, checksum"), id, checksum)
         .add(Blob{trajectory.bytes()})

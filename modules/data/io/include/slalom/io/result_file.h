@@ -50,6 +50,7 @@ class ResultFile {
   void add_scenario(const ScenarioRecord& record, const PackedScenario& packed,
                     const ReferenceTiming& timing);
   void add_run(const RunRecord& run, const RunTiming& timing, const PackedTrajectory& trajectory);
+  void add_run(const RunRecord& run);  ///< without trajectory and times
   /// Makes everything added so far durable; false if the file is being read by a program that does
   /// not release it within `patience` (s): it can be tried again. Throws Error (Job) if the file
   /// was removed, renamed, replaced or truncated; its content is then kept beside it, see rescue().

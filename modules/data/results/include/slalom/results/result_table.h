@@ -38,6 +38,7 @@ class ValueColumn {
   void reorder(const std::vector<std::size_t>& order);
   /// Replaces the value of a row.
   void set_na(std::size_t row, const std::string& reason);
+  void set_id(const std::string& id) { info_.id = id; }
   /// States another kind of the same values, with its range.
   void set_kind(QuantityKind kind, const Range& range);
 
