@@ -103,7 +103,9 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
   ResultTable runs = read_results(results_path);
   warn_of_damage(results_path, runs.damaged);
   mark_privileged(runs);
-  const ReportOptions options = report_options(runs);
+  ReportOptions options = report_options(runs);
+  options.config = arguments.campaign.config;
+  options.output = arguments.output;
   const std::string text =
       render_tables_text(runs, options.rows, options.columns, options.analysis.confidence);
   write_file_atomically(arguments.output + "/tables.txt", text);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <regex>
 
 namespace slalom {
 namespace {
@@ -47,6 +48,25 @@ class Tune : public ProgramTest {
 };
 
 constexpr char kTune[] = "slalom-tune my.ini --quiet --runs 300 --sealed 200 ";
+
+TEST_F(Tune, AndTheOtherCommandsThatAReportProposesRunAsTheyAreTyped) {
+  std::string ini = kIni;
+  ini.replace(ini.find("methods = planted"), 17, "methods = planted, zgo");
+  ini.replace(ini.find("generator = random"), 18, "generator = random\ncount = 12");
+  write("two.ini", ini + "[method.zgo]\nadapter = library\nplugin = libslalom_go_to_goal.so\n");
+  ASSERT_EQ(run("slalom-evaluate two.ini --set method.planted.a=0.7 -o out --quiet").status, 0);
+  const std::string page = read("out/report/index.html");
+  const std::regex pattern("<code class=\"command\">([^<]*)</code>");
+  std::vector<std::string> programs;
+  for (std::sregex_iterator at(page.begin(), page.end(), pattern), end; at != end; ++at) {
+    const std::string command = (*at)[1];
+    const ProgramResult result = run(command);
+    EXPECT_EQ(result.status, 0) << command << "\n" << result.err;
+    programs.push_back(command.substr(0, command.find(' ')));
+  }
+  EXPECT_EQ(programs,
+            (std::vector<std::string>{"slalom-evaluate", "slalom-falsify", "slalom-tune"}));
+}
 
 TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
   const ProgramResult result = run(std::string(kTune) + "--method planted --require -o out");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first screen of index.html and method.html: a sentence per method, its outcomes, its failures worth looking at.
+// The pictures of failures, and what method.html begins with: a sentence, the outcomes, the failures worth looking at.
 "use strict";
 
-// Called by data/failures.js: pictures by the index of their scenario.
+// Called by data/failures.js: pictures by the index of their run.
 function slalomFailures(pictures) {
   document.querySelectorAll("[data-failure]").forEach((node) => {
     const picture = pictures[node.dataset.failure];
@@ -14,7 +14,7 @@ function failureFigure({ run, why }) {
   const [scenario, method, repetition, outcome] = report.runs[run], { hash, name } = report.scenarios[scenario];
   return html("figure", {}, html("a", { href: "run.html#" + runId(hash, report.methods[method].name, repetition), title: why,
                                         "aria-label": `${methodLabel(method)} in ${name}: ${why}` },
-    html("div", { class: "picture", "data-failure": String(scenario) }), html("span", { class: "support" }, name)),
+    html("div", { class: "picture", "data-failure": String(run) }), html("span", { class: "support" }, name)),
     html("span", { class: "support" }, why));
 }
 
@@ -38,12 +38,13 @@ function sparkline(method) {
     html("figcaption", { class: "support" }, `success, 0 to 1, by ${group.descriptor.name.toLowerCase()} → `));
 }
 
-function overviewCard({ method, text, failures }) {
+function overviewCard({ method, text, failures, in_common }) {
   const name = methodLabel(method), row = report.summary.find((one) => one.method === method);
   const link = html("a", { href: "method.html#" + (method + 1) }, name);
   const rest = text.startsWith(name) ? text.slice(name.length) : ": " + text;
   return html("div", { class: "card overview" },
-    html("div", {}, sparkline(method), html("p", {}, swatch(report.methods[method].color), link, rest + "."), outcomeBar(row)),
+    html("div", {}, sparkline(method), html("p", {}, swatch(report.methods[method].color), link, rest + "."),
+             in_common ? html("p", {}, html("strong", {}, `${in_common.runs} of ${in_common.failures} failures`), " " + in_common.text) : null, outcomeBar(row)),
     failures.length > 0 ? html("div", { class: "failures" }, failures.map(failureFigure))
       : row.outcomes.some((n, i) => n > 0 && report.outcomes[i] !== "success") ? soft("No other method solves a scenario in which it fails.") : "");
 }

@@ -12,9 +12,10 @@ function showSections(sections) {
 
 // Opens the sections that answer first; the rest opens by a click, a link or an address.
 function showCampaign() {
+  if (document.querySelector("[data-failure]")) loadScript("data/failures.js");
   const shown = showSections([
-    ["clusters", "Failures", clustersSection(), true], ["overview", "At a glance", overviewSection(null), true], ["summary", "Summary", summarySection(null), true],
-    ["findings", "Findings", findingsSection(), false], ["tables", "Cross tables", tablesSection(null), true],
+    ["clusters", "Failures", clustersSection(), true], ["summary", "Summary", summarySection(null), report.selected],
+    ["findings", "Findings", findingsSection(), false], ["tables", "Cross tables", tablesSection(null), false],
     ["comparisons", "Pairwise comparisons", comparisonSection(null), false],
     ["completion", "Completion", completionSection(), false], ["ranks", "Ranks and profiles", rankingSection(), false],
     ["maps", "Maps", mapSection(null), false], ["scenarios", "Scenarios", gallerySection, false],

@@ -16,26 +16,16 @@ Markup element(const std::string& name, const std::vector<Markup>& children,
   return Markup::element(name, children, classes);
 }
 
-Markup fact(const std::string& figure, const std::string& what) {
-  return element("div", {element("b", {figure}), element("span", {what})});
-}
-
-Markup fact(std::size_t number, const std::string& what) {
-  return fact(std::to_string(number), what);
-}
-
 std::string number_of_runs(const ReportInput& input) {
   const std::size_t runs = input.runs.size(), planned = input.options.planned_runs;
   return std::to_string(runs) + (runs < planned ? " of " + std::to_string(planned) : "");
 }
 
-Markup facts(const ReportInput& input) {
+std::string counts_text(const ReportInput& input) {
   const ResultTable& runs = input.runs;
-  return element(
-      "div",
-      {fact(runs.methods.size(), "methods"), fact(runs.scenario_hashes.size(), "scenarios"),
-       fact(number_of_runs(input), "runs")},
-      "facts");
+  return count_text(runs.methods.size(), "method") + ", " +
+         count_text(runs.scenario_hashes.size(), "scenario") + ", " + number_of_runs(input) +
+         " runs";
 }
 
 Markup header_row(const std::vector<std::string>& first, const std::vector<Column>& columns) {
@@ -108,9 +98,20 @@ Markup all_tables(const ReportInput& input) {
 
 }  // namespace
 
-std::string index_page(const std::string& page, const ReportInput& input) {
+std::string index_page(const std::string& page, const ReportInput& input,
+                       const Leaderboard& leaderboard, const std::vector<std::string>& headlines) {
+  std::vector<Markup> lines;
+  for (const std::string& line : headlines)
+    lines.push_back(
+        element("p", {element("strong", {line + (ends_with(line, "?") ? "" : ".")})}, "headline"));
   return fill_page(page, {{"campaign", campaign_name(input.runs.manifest)},
-                          {"facts", facts(input)},
+                          {"counts", counts_text(input)},
+                          {"answer", leaderboard.answer()},
+                          {"certainty", leaderboard.certainty()},
+                          {"headlines", element("div", lines)},
+                          {"board", leaderboard.table()},
+                          {"differences", leaderboard.differences()},
+                          {"next", leaderboard.next_steps()},
                           {"tables", all_tables(input)},
                           {"version", version()}});
 }

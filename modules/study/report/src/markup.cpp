@@ -9,9 +9,15 @@ Markup::Markup(const std::string& text) : html_(html_escape(text)) {}
 
 Markup Markup::element(const std::string& name, const std::vector<Markup>& children,
                        const std::string& classes) {
+  return element(name, classes.empty() ? Attributes() : Attributes{{"class", classes}}, children);
+}
+
+Markup Markup::element(const std::string& name, const Attributes& attributes,
+                       const std::vector<Markup>& children) {
   Markup element;
   element.html_ = "<" + name;
-  if (!classes.empty()) element.html_ += " class=\"" + html_escape(classes) + "\"";
+  for (const auto& [key, value] : attributes)
+    element.html_ += " " + key + "=\"" + html_escape(value) + "\"";
   element.html_ += ">";
   for (const Markup& child : children) element.html_ += child.html_;
   element.html_ += "</" + name + ">";

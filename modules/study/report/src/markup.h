@@ -3,9 +3,12 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace slalom {
+
+using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 /// A piece of HTML, made of escaped text and elements only.
 class Markup {
@@ -17,6 +20,9 @@ class Markup {
   /// <name class="...">children</name>; `classes` may be empty.
   static Markup element(const std::string& name, const std::vector<Markup>& children,
                         const std::string& classes = "");
+  /// The same with attributes; their values are escaped, too.
+  static Markup element(const std::string& name, const Attributes& attributes,
+                        const std::vector<Markup>& children = {});
   const std::string& html() const { return html_; }
 
  private:

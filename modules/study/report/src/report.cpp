@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "index_page.h"
+#include "leaderboard.h"
 #include "pages.h"
 #include "report_data.h"
 #include "scenario_data.h"
-#include "turning_in_place.h"
 #include "value_data.h"
 
 #include <slalom/analysis/analysis_section.h>
@@ -63,17 +63,15 @@ std::vector<std::string> default_columns(const ResultTable& runs) {
 /// number: "scenarios" and "runs".
 class ScenarioFiles {
  public:
-  ScenarioFiles(const std::string& results, const ReportInput& input, const OrderedJson& overview,
-                const std::string& directory)
+  ScenarioFiles(const std::string& results, const ReportInput& input, const std::string& directory)
       : files_(results),
         input_(input),
         runs_(input.runs),
         directory_(directory),
-        turning_(input.runs.methods.size(), input.options.robot) {
-    for (const OrderedJson& method : overview)
-      for (const OrderedJson& failure : method["failures"])
-        if (notable_.size() < kMaxFailurePictures)
-          notable_.insert(runs_.scenario[failure["run"].get<std::size_t>()]);
+        facts_(input.runs.methods.size(), input.options.robot) {
+    for (const MethodOverview& method : input.overview)
+      for (const NotableFailure& failure : method.failures)
+        if (notable_.size() < kMaxFailurePictures) notable_.insert(failure.run);
     for (const std::string& outcome : runs_.outcomes) {
       const auto& names = input.summary.outcomes;
       outcomes_.push_back(std::find(names.begin(), names.end(), outcome) - names.begin());
@@ -91,14 +89,8 @@ class ScenarioFiles {
     return {{"scenarios", std::move(scenarios_)}, {"runs", std::move(entries_)}};
   }
 
-  /// Sentences about the trajectories of methods, for "headlines"; call it after write().
-  OrderedJson headlines() const {
-    OrderedJson json = OrderedJson::array();
-    for (std::size_t method = 0; method < runs_.methods.size(); ++method)
-      if (const std::string line = turning_.line_of(method); !line.empty())
-        json.push_back({{"method", method}, {"text", runs_.methods[method] + " " + line}});
-    return json;
-  }
+  /// Facts that failures have in common; call it after write().
+  const CommonFacts& facts() const { return facts_; }
 
  private:
   ResultFiles files_;
@@ -109,10 +101,10 @@ class ScenarioFiles {
   std::vector<const ValueColumn*> columns_;
   OrderedJson scenarios_ = OrderedJson::array(), entries_ = OrderedJson::array();
   OrderedJson pictures_ = OrderedJson::array();           ///< of the current page
-  std::set<std::size_t> notable_;                         ///< scenarios on the first screen
+  std::set<std::size_t> notable_;                         ///< runs on the first screen
   OrderedJson failure_pictures_ = OrderedJson::object();  ///< by their index
   std::size_t page_ = 1, page_bytes_ = 0;
-  TurningInPlace turning_;
+  CommonFacts facts_;
 
   /// Scenarios are in the order of their runs.
   void add(std::size_t scenario) {
@@ -124,17 +116,19 @@ class ScenarioFiles {
         is_imported(runs_.manifest) ? std::vector<const ResultFile*>() : files_.with_scenario(hash);
     if (!files.empty()) {
       const ScenarioRuns content = read_scenario_runs(files, runs_, scenario, first);
+      const World world(content.content, input_.options.simulation.resolution);
       write_file_atomically((directory_ / "data" / ("s-" + hash.substr(0, 8) + ".js")).string(),
-                            scenario_script(input_, content, directory_.string()));
+                            scenario_script(input_, content, world, directory_.string()));
       picture = scenario_picture(input_, content);
       for (std::size_t i = 0; i < content.records.size(); ++i) {
         details.push_back(content.records[i].outcome_detail);
-        turning_.add(runs_.method[first + i], content.records[i], content.trajectories[i]);
+        facts_.add(runs_.method[first + i], content, world, i);
+        if (notable_.count(first + i) > 0)
+          failure_pictures_[std::to_string(first + i)] = failure_picture(input_, content, i);
       }
     }
     for (std::size_t run = first; run < runs_.size() && runs_.scenario[run] == scenario; ++run)
       entries_.push_back(entry(run, run - first < details.size() ? details[run - first] : ""));
-    if (notable_.count(scenario) > 0) failure_pictures_[std::to_string(scenario)] = picture;
     add_picture(picture);
     OrderedJson values = OrderedJson::array();
     for (const ValueColumn& column : runs_.descriptors)
@@ -199,6 +193,10 @@ ReportOptions report_options(const ResultTable& runs) {
   options.sensor = read_sensor_model(ini);
   options.simulation = read_options<SimulationOptions>(ini, "simulation");
   options.people = read_options<PeopleSettings>(ini, "people");
+  long long seed = 1;
+  parse_integer(ini.get("campaign", "seed").value_or("1"), seed);
+  options.seed = static_cast<std::uint64_t>(seed);
+  options.generates = !ini.get("scenarios", "generator").value_or("").empty();
   return options;
 }
 
@@ -211,9 +209,15 @@ void write_report(const std::string& results, ResultTable runs, const ReportOpti
   OrderedJson data = report_data(input, groups);
   data["results"] = std::filesystem::path(results).lexically_normal().filename().string();
   make_directory(directory);
-  ScenarioFiles files(results, input, data["overview"], directory);
+  ScenarioFiles files(results, input, directory);
   OrderedJson lists = files.write();
-  for (OrderedJson& line : files.headlines()) data["headlines"].push_back(std::move(line));
+  for (OrderedJson& entry : data["overview"])
+    if (const auto common = files.facts().of(entry["method"].get<std::size_t>()))
+      entry["in_common"] = {
+          {"failures", common->failures}, {"runs", common->count}, {"text", common->text}};
+  std::vector<std::string> headlines;
+  for (const OrderedJson& line : data["headlines"]) headlines.push_back(line["text"]);
+  const Leaderboard leaderboard(input, files.facts());
   const std::string summary = json_text(data);
   lists["groups"] = groups_json(groups);
   const std::string runs_text = json_text(lists), values = json_text(value_data(runs));
@@ -229,7 +233,7 @@ void write_report(const std::string& results, ResultTable runs, const ReportOpti
                            "\n");
   for (const auto& [name, text] : report_pages())
     if (!starts_with(name, "packed.") && (name != "cluster.html" || !options.clusters.empty()))
-      write(name, name == "index.html" ? index_page(text, input) : text);
+      write(name, name == "index.html" ? index_page(text, input, leaderboard, headlines) : text);
 }
 
 void remove_report(const std::string& directory) {

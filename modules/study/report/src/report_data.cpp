@@ -61,10 +61,6 @@ class ReportBuilder {
       if (column.info.direction != Direction::None && !column.wall_clock)
         directed_.push_back(column.info.id);
     }
-    ComparisonOptions comparison;
-    comparison.analysis = options_.analysis;
-    if (!input.is_selected())
-      comparisons_ = directed_comparisons(runs_, input.summary.columns, comparison);
   }
 
   OrderedJson columns() const {
@@ -139,10 +135,6 @@ class ReportBuilder {
   }
 
   const std::vector<std::string>& directed() const { return directed_; }
-  const std::vector<PairedComparison>& comparisons() const { return comparisons_; }
-
-  OrderedJson headlines() const { return headlines_json(input_, comparisons_); }
-  OrderedJson overview() const { return overview_json(input_, comparisons_); }
 
   OrderedJson common_scenarios() {
     OrderedJson json = OrderedJson::array();
@@ -187,7 +179,6 @@ class ReportBuilder {
   const ReportOptions& options_;
   std::vector<RunGroup>& groups_;
   std::vector<std::string> directed_;  ///< ids of the columns in which methods can be better
-  std::vector<PairedComparison> comparisons_;
 
   std::uint32_t index_of(const std::string& method) const { return index_of_method(runs_, method); }
 
@@ -250,11 +241,11 @@ class ReportBuilder {
 
 void add_statistics(OrderedJson& json, ReportBuilder& make, const ReportInput& input) {
   const ResultTable& runs = input.runs;
-  json["overview"] = make.overview();
+  json["overview"] = overview_json(input);
   json["common_scenarios"] = make.common_scenarios();
   json["tables"] = make.tables();
   json["outcome_fractions"] = make.outcome_fractions();
-  json["comparisons"] = comparisons_json(runs, make.comparisons());
+  json["comparisons"] = comparisons_json(runs, input.comparisons);
   json["completion"] = completion_json(runs);
   json["ranks"] = ranks_json(runs, make.directed(), input.options.analysis);
   json["profiles"] = profiles_json(runs, make.directed());
@@ -276,7 +267,7 @@ OrderedJson repeatability_json(const std::map<std::string, Repeatability>& measu
 ReportInput make_report_input(const ResultTable& runs, const ReportOptions& options) {
   AnalysisOptions analysis = options.analysis;
   analysis.run_ids = false;
-  ReportInput input{runs, options, build_summary(runs, options.columns, analysis), {}, {}};
+  ReportInput input{runs, options, build_summary(runs, options.columns, analysis), {}, {}, {}, {}};
   if (input.is_selected()) return input;
   // One call: the trends of all tables are one family of tests.
   std::vector<CrossTable> tables =
@@ -287,6 +278,12 @@ ReportInput make_report_input(const ResultTable& runs, const ReportOptions& opti
         std::make_move_iterator(tables.begin() + static_cast<std::ptrdiff_t>(i * methods));
     input.tables.emplace_back(first, first + static_cast<std::ptrdiff_t>(methods));
   }
+  ComparisonOptions comparison;
+  comparison.analysis = options.analysis;
+  input.comparisons = directed_comparisons(runs, input.summary.columns, comparison);
+  std::vector<CrossTable> all;
+  for (const auto& group : input.tables) all.insert(all.end(), group.begin(), group.end());
+  input.overview = build_overview(runs, all, input.comparisons, options.analysis);
   return input;
 }
 
@@ -308,7 +305,7 @@ OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups)
       {"descriptors", quantities_json(descriptors)}};
   if (input.options.planned_runs > 0) json["planned_runs"] = input.options.planned_runs;
   json["selected"] = input.is_selected();
-  json["headlines"] = make.headlines();
+  json["headlines"] = headlines_json(input);
   json["summary"] = make.summary();
   for (const char* key : {"overview", "common_scenarios", "tables", "outcome_fractions",
                           "comparisons", "completion", "ranks", "profiles", "maps", "validity"})

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <slalom/analysis/cross_table.h>
-#include <slalom/analysis/paired_comparison.h>
+#include <slalom/analysis/method_overview.h>
 #include <slalom/analysis/summary.h>
 #include <slalom/core/error.h>
 #include <slalom/report/report.h>
@@ -33,6 +33,10 @@ struct ReportInput {
   SummaryTable summary;
   std::vector<std::vector<CrossTable>> tables;  ///< per row specification, one table per method
   MethodFailures failures;                      ///< of the runs, if they are known
+  /// In success and the columns with a direction; and the methods by success. Empty for selected
+  /// scenarios.
+  std::vector<PairedComparison> comparisons;
+  std::vector<MethodOverview> overview;
 
   /// Whether a search has selected the scenarios. They are a sample of no environment: the report
   /// counts outcomes, and has no intervals or tests.
@@ -46,11 +50,9 @@ ReportInput make_report_input(const ResultTable& runs, const ReportOptions& opti
 OrderedJson report_data(const ReportInput& input, std::vector<RunGroup>& groups);
 
 /// "overview" of report.json: the first screen.
-OrderedJson overview_json(const ReportInput& input,
-                          const std::vector<PairedComparison>& comparisons);
-/// Sentences that begin the first screen, each of one method or of all.
-OrderedJson headlines_json(const ReportInput& input,
-                           const std::vector<PairedComparison>& comparisons);
+OrderedJson overview_json(const ReportInput& input);
+/// Sentences about methods that begin the first screen.
+OrderedJson headlines_json(const ReportInput& input);
 
 /// "comparisons", "completion", "ranks", "profiles" and "validity" of report.json; the metrics are
 /// those in which methods can be better.

@@ -24,7 +24,7 @@
 namespace slalom {
 namespace {
 
-constexpr int kPicturePixels = 480;
+constexpr int kPicturePixels = 480, kFailurePixels = 160;
 
 /// A sequence of numbers as differences in thousandths, which is compact.
 class DeltaEncoder {
@@ -271,6 +271,27 @@ void sort_runs(ScenarioRuns& content) {
   content = std::move(sorted);
 }
 
+SceneOptions scene_options(const ReportInput& input, int pixels) {
+  SceneOptions options;
+  options.max_pixels = pixels;
+  options.robot_radius = input.options.robot.radius;
+  return options;
+}
+
+SceneTrajectory trajectory_of(const ReportInput& input, const ScenarioRuns& content,
+                              std::size_t i) {
+  const RunRecord& run = content.records[i];
+  return {run.method, content.trajectories[i].path(),
+          from_stored_name<Outcome>("outcome", run.outcome),
+          method_color(input.runs.method[content.first_run + i])};
+}
+
+std::string render_around_paths(const ScenarioRuns& content, SceneOptions options) {
+  constexpr double kMargin = 2;  // m, as around the path on the page of a run
+  options.view = view_around(content.content, options.trajectories, kMargin);
+  return render_svg(content.content, options);
+}
+
 }  // namespace
 
 ScenarioRuns read_scenario_runs(const std::vector<const ResultFile*>& files,
@@ -290,9 +311,8 @@ ScenarioRuns read_scenario_runs(const std::vector<const ResultFile*>& files,
 }
 
 std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
-                            const std::string& directory) {
+                            const World& world, const std::string& directory) {
   const ResultTable& runs = input.runs;
-  const World world(content.content, input.options.simulation.resolution);
   const Footprint footprint = input.options.robot.shape();
   const std::vector<const ValueColumn*> metrics = repeatable_metrics(runs);
   OrderedJson json = scenario_json(input, content, world);
@@ -317,19 +337,23 @@ std::string scenario_script(const ReportInput& input, const ScenarioRuns& conten
 }
 
 std::string scenario_picture(const ReportInput& input, const ScenarioRuns& content) {
-  SceneOptions options;
-  options.max_pixels = kPicturePixels;
-  options.robot_radius = input.options.robot.radius;
+  SceneOptions options = scene_options(input, kPicturePixels);
   options.references = &content.references;
-  for (std::size_t i = 0; i < content.records.size(); ++i) {
-    const RunRecord& run = content.records[i];
-    options.trajectories.push_back({run.method, content.trajectories[i].path(),
-                                    from_stored_name<Outcome>("outcome", run.outcome),
-                                    method_color(input.runs.method[content.first_run + i])});
+  for (std::size_t i = 0; i < content.records.size(); ++i)
+    options.trajectories.push_back(trajectory_of(input, content, i));
+  return render_around_paths(content, std::move(options));
+}
+
+std::string failure_picture(const ReportInput& input, const ScenarioRuns& content, std::size_t i) {
+  SceneOptions options = scene_options(input, kFailurePixels);
+  for (std::size_t other = 0; other < content.records.size(); ++other) {
+    if (content.records[other].outcome != to_string(Outcome::Success)) continue;
+    options.trajectories.push_back(trajectory_of(input, content, other));
+    options.trajectories.back().color = "#8a8f98";
+    break;
   }
-  constexpr double kMargin = 2;  // m, as around the path on the page of a run
-  options.view = view_around(content.content, options.trajectories, kMargin);
-  return render_svg(content.content, options);
+  options.trajectories.push_back(trajectory_of(input, content, i));
+  return render_around_paths(content, std::move(options));
 }
 
 }  // namespace slalom

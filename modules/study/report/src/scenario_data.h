@@ -31,9 +31,13 @@ constexpr std::size_t kMaxSamples = 80;
 /// milliradians; and the people as they walked in them. The safest path is simplified with a
 /// tolerance of one cell. `directory`: of the report, for links to rawlogs.
 std::string scenario_script(const ReportInput& input, const ScenarioRuns& content,
-                            const std::string& directory);
+                            const World& world, const std::string& directory);
 
 /// The scenario with its reference paths and all trajectories as an <svg> element.
 std::string scenario_picture(const ReportInput& input, const ScenarioRuns& content);
+
+/// The scenario with the trajectory of the run at index `i`, and in grey that of the first other
+/// run that succeeds, if there is one.
+std::string failure_picture(const ReportInput& input, const ScenarioRuns& content, std::size_t i);
 
 }  // namespace slalom

@@ -59,8 +59,9 @@ class ScenarioData : public testing::Test {
     options.columns = {"success"};
     options.simulation.resolution = 0.5;
     const ReportInput input = make_report_input(runs, options);
-    return argument(scenario_script(input, read_scenario_runs({&file}, runs, 0, 0),
-                                    (folder_ / "report").string()),
+    const ScenarioRuns content = read_scenario_runs({&file}, runs, 0, 0);
+    const World world(content.content, options.simulation.resolution);
+    return argument(scenario_script(input, content, world, (folder_ / "report").string()),
                     "slalomScenario");
   }
 

@@ -56,8 +56,8 @@ class CombinedResults {
 /// Sorts the rows of a table that was read, and adds the success of runs.
 ResultTable finish_table(ResultTable table);
 
-/// Of files with an imported table: the id of a column in the table, whether runs can have the
-/// outcome, the table as it was written.
+/// Rules of files with an imported table: the id of a column in the table, whether runs can have
+/// the outcome, the table as it was written.
 std::string id_of_imported(const std::string& id);
 bool is_outcome_of_imported(const std::string& outcome);
 ResultTable finish_imported(ResultTable table);

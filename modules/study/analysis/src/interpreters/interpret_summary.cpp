@@ -44,7 +44,7 @@ std::vector<std::string> overview_sentences(const ResultTable& table, const Anal
     sentences.push_back(leader_sentence(table, family, query.comparison.analysis));
   for (const MethodOverview& overview :
        build_overview(table, tables, family, query.comparison.analysis))
-    if (query.method.empty() || overview.method == query.method)
+    if (query.method.empty() || overview.standing.method.method == query.method)
       sentences.push_back(overview.sentence);
   sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
   return sentences;

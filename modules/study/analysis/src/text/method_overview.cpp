@@ -2,7 +2,7 @@
 #include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/findings.h>
 #include <slalom/analysis/method_overview.h>
-#include <slalom/analysis/summary.h>
+#include <slalom/analysis/standings.h>
 #include <slalom/core/math.h>
 #include <slalom/core/text.h>
 
@@ -182,9 +182,9 @@ ScenarioCounts count_scenarios(const ResultTable& table) {
   return counts;
 }
 
-/// The failed runs of a method that are notable, most notable first, one per scenario.
-std::vector<NotableFailure> failures_of(const ResultTable& table, const ScenarioCounts& counts,
-                                        std::uint32_t method) {
+/// The failed runs of a method, and those that are notable, most notable first, one per scenario.
+void add_failures(const ResultTable& table, const ScenarioCounts& counts, std::uint32_t method,
+                  MethodOverview& entry) {
   std::vector<std::tuple<double, bool, std::size_t>> failed;  // in increasing order
   for (std::size_t run = 0; run < table.size(); ++run) {
     const std::string& outcome = table.outcomes[table.outcome[run]];
@@ -193,33 +193,25 @@ std::vector<NotableFailure> failures_of(const ResultTable& table, const Scenario
     const double solved =
         others == 0 ? 0
                     : static_cast<double>(counts.solved_by[scenario]) / static_cast<double>(others);
+    ++entry.failed;
+    if (solved > 0) ++entry.solved_by_others;
     if (others == 0 || solved > 0) failed.emplace_back(-solved, outcome != "collision", run);
   }
   std::sort(failed.begin(), failed.end());
-  std::vector<NotableFailure> notable;
-  std::vector<std::size_t> scenarios;
+  std::set<std::size_t> scenarios;
   for (const auto& [order, collided, run] : failed) {
     const std::size_t scenario = table.scenario[run];
-    if (notable.size() == kMaxNotableFailures) break;
-    if (std::find(scenarios.begin(), scenarios.end(), scenario) != scenarios.end()) continue;
-    scenarios.push_back(scenario);
-    const std::size_t others = counts.run_by[scenario] - 1;
-    const std::string of_others =
-        "; others that succeed here: " + std::to_string(counts.solved_by[scenario]) + " of " +
-        std::to_string(others);
-    notable.push_back({run, table.outcomes[table.outcome[run]] + (others == 0 ? "" : of_others)});
+    if (entry.failures.size() == kMaxNotableFailures) break;
+    if (!scenarios.insert(scenario).second) continue;
+    NotableFailure& failure = entry.failures.emplace_back();
+    failure.run = run;
+    failure.others = counts.run_by[scenario] - 1;
+    failure.solved = counts.solved_by[scenario];
+    failure.why = table.outcomes[table.outcome[run]];
+    if (failure.others > 0)
+      failure.why += "; others that succeed here: " + std::to_string(failure.solved) + " of " +
+                     std::to_string(failure.others);
   }
-  return notable;
-}
-
-/// The comparison of two methods in success; null if there is none.
-const PairedComparison* success_comparison(const std::vector<PairedComparison>& family,
-                                           const std::string& one, const std::string& other) {
-  for (const PairedComparison& c : family) {
-    const std::string* side = other_side(c, one);
-    if (side != nullptr && *side == other && c.column.info.id == kSuccess) return &c;
-  }
-  return nullptr;
 }
 
 /// "0.08 [0.01, 0.16] better over 70 scenarios, p = 0.0430, Holm over 6 pairs", of `method`.
@@ -252,25 +244,13 @@ std::string answer(const PairedComparison* c, const std::string& first, const st
   }
 }
 
-/// The methods with a rate of success, the highest first.
-std::vector<MethodSummary> by_success(const ResultTable& table, const AnalysisOptions& options) {
-  if (find_metric(table, kSuccess) == nullptr) return {};
-  std::vector<MethodSummary> order = build_summary(table, {kSuccess}, options).methods;
-  const auto has_none = [](const MethodSummary& method) { return !method.cells[0].estimate; };
-  order.erase(std::remove_if(order.begin(), order.end(), has_none), order.end());
-  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return *a.cells[0].estimate > *b.cells[0].estimate;
-  });
-  return order;
-}
-
 }  // namespace
 
 std::string leader_sentence(const ResultTable& table, const std::vector<PairedComparison>& family,
                             const AnalysisOptions& options) {
-  const std::vector<MethodSummary> order = by_success(table, options);
+  const std::vector<Standing> order = build_standings(table, family, options);
   if (order.size() < 2) return "";
-  const MethodSummary &first = order[0], &second = order[1];
+  const MethodSummary &first = order[0].method, &second = order[1].method;
   const double best = *first.cells[0].estimate, next = *second.cells[0].estimate;
   return first.method + " succeeds most often (" + percent(best) + " of " +
          count_text(first.cells[0].available, "run") + "), " + second.method +
@@ -285,7 +265,8 @@ std::vector<MethodOverview> build_overview(const ResultTable& table,
                                            const AnalysisOptions& options) {
   std::vector<MethodOverview> overview;
   const ScenarioCounts counts = count_scenarios(table);
-  for (const MethodSummary& method : by_success(table, options)) {
+  for (Standing& standing : build_standings(table, family, options)) {
+    const MethodSummary& method = standing.method;
     std::vector<std::string> clauses = {success_clause(method)};
     for (const CrossTable& cross : tables)
       if (cross.method == method.method) clauses.push_back(trend_clause(cross));
@@ -294,8 +275,10 @@ std::vector<MethodOverview> build_overview(const ResultTable& table,
       clauses.push_back(std::move(clause));
     clauses.push_back(identical_clause(method.method, family));
     clauses.erase(std::remove(clauses.begin(), clauses.end(), ""), clauses.end());
-    overview.push_back({method.method, join(clauses, "; "),
-                        failures_of(table, counts, index_of_method(table, method.method))});
+    MethodOverview& entry = overview.emplace_back();
+    entry.sentence = join(clauses, "; ");
+    add_failures(table, counts, index_of_method(table, method.method), entry);
+    entry.standing = std::move(standing);
   }
   return overview;
 }

@@ -83,7 +83,7 @@ TEST(MethodOverview, ComparesNoFirstWithoutACommonScenario) {
 TEST(MethodOverview, SortsMethodsBySuccessAndEqualOnesAsInTheResults) {
   std::vector<std::string> methods;
   for (const MethodOverview& entry : overview_of(three_methods({25, 15})))
-    methods.push_back(entry.method);
+    methods.push_back(entry.standing.method.method);
   EXPECT_EQ(methods, (std::vector<std::string>{"b", "a", "c"}));
 }
 
@@ -101,12 +101,12 @@ TEST(MethodOverview, ShowsFailuresWhereOthersSucceedThoseOfMostFirst) {
   add(-1, -1, -1);
   add(0.5, 0.5, 0.5);
   const auto overview = overview_of(fixture.table);
-  ASSERT_EQ(overview[2].method, "a");
+  ASSERT_EQ(overview[2].standing.method.method, "a");
   ASSERT_EQ(overview[2].failures.size(), 2u);
   EXPECT_EQ(overview[2].failures[0].run, 6u);
   EXPECT_EQ(overview[2].failures[0].why, "collision; others that succeed here: 2 of 2");
   EXPECT_EQ(overview[2].failures[1].run, 3u);
-  ASSERT_EQ(overview[0].method, "c");
+  ASSERT_EQ(overview[0].standing.method.method, "c");
   EXPECT_TRUE(overview[0].failures.empty()) << "it fails where all do";
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <slalom/analysis/cross_table.h>
-#include <slalom/analysis/paired_comparison.h>
+#include <slalom/analysis/standings.h>
 
 #include <string>
 #include <vector>
@@ -13,13 +13,17 @@ namespace slalom {
 struct NotableFailure {
   std::size_t run = 0;  ///< index into the runs
   std::string why;      ///< "collision; others that succeed here: 3 of 3"
+  std::size_t others = 0,
+              solved = 0;  ///< other methods with runs in the scenario, and with success
 };
 
 /// Statements of the first screen of a report about a method.
 struct MethodOverview {
-  std::string method;
+  Standing standing;
   std::string sentence;                  ///< only with clauses that hold
   std::vector<NotableFailure> failures;  ///< at most kMaxNotableFailures
+  std::size_t failed = 0,
+              solved_by_others = 0;  ///< failed runs; those where another method succeeds
 };
 
 constexpr std::size_t kMaxNotableFailures = 3;

@@ -8,6 +8,7 @@
 #include <slalom/robot/robot_model.h>
 #include <slalom/simulation/simulate.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ struct ReportOptions {
   PeopleSettings people;                       ///< likewise: they walk as they did in each run
   std::size_t planned_runs = 0;                ///< of the complete campaign; 0 if it is not known
   std::vector<ReportedCluster> clusters = {};  ///< of failures, each with a page
+  /// For the commands that the first screen proposes: the .ini of the campaign and its output, as
+  /// they were typed; empty: none are proposed.
+  std::string config = {}, output = {};
+  std::uint64_t seed = 1;  ///< of the campaign
+  bool generates = false;  ///< its scenarios, so that there can be more of them
 };
 
 /// The options from the sections [analysis], [robot], [simulation] and [people] of the campaign in

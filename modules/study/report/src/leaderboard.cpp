@@ -1,0 +1,591 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "leaderboard.h"
+
+#include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/findings.h>
+#include <slalom/analysis/table_types.h>
+#include <slalom/core/text.h>
+#include <slalom/io/svg_scene.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace slalom {
+namespace {
+
+constexpr const char* kSuccess = "success";
+constexpr std::size_t kFullRows = 4;  ///< with pictures, unless there are more methods
+constexpr std::size_t kRowsBeforeFold = 6;
+constexpr std::size_t kDifferences = 4;  ///< that are listed
+constexpr std::size_t kOtherCurves = 6;
+
+Markup tag(const std::string& name, const std::vector<Markup>& children,
+           const std::string& classes = "") {
+  return Markup::element(name, children, classes);
+}
+
+Markup node(const std::string& name, const Attributes& attributes,
+            const std::vector<Markup>& children = {}) {
+  return Markup::element(name, attributes, children);
+}
+
+std::string percent(double fraction) {
+  return format_fixed(100 * fraction, 0);
+}
+
+std::string interval_of_percent(const Interval& interval) {
+  return "[" + percent(interval.low) + ", " + percent(interval.high) + "]";
+}
+
+std::string signed_text(double number) {
+  return (number < 0 ? "−" : "+") + format_fixed(std::abs(number), 2);
+}
+
+/// The class of an outcome in report.css, as in common.js.
+std::string outcome_kind(const std::string& outcome) {
+  if (outcome == kSuccess) return "good";
+  if (outcome == "collision") return "hit";
+  if (outcome == "left_workspace") return "left";
+  if (outcome == "timeout") return "late";
+  if (outcome == "stuck") return "stuck";
+  return starts_with(outcome, "method_") ? "fault" : "odd";
+}
+
+std::size_t column_of_success(const std::vector<Column>& columns) {
+  const auto is_success = [](const Column& column) { return column.info.id == kSuccess; };
+  return static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(), is_success) -
+                                  columns.begin());
+}
+
+std::string point(double x, double y) {
+  return fmt::format("{:.1f},{:.1f}", x, y);
+}
+
+/// A paired difference as that of `better` over the other side, with its interval.
+struct Advantage {
+  double value;
+  std::string text;  ///< "+0.11 [0.03, 0.21]"
+  std::optional<Interval> interval;
+};
+
+Advantage advantage_of(const PairedComparison& c, const std::string& method) {
+  const double sign = c.b == method ? 1 : -1;
+  Advantage found{sign * *c.difference, "", {}};
+  found.text = signed_text(found.value);
+  if (!c.interval) return found;
+  found.interval = sign > 0 ? *c.interval : Interval{-c.interval->high, -c.interval->low};
+  found.text +=
+      " [" + signed_text(found.interval->low) + ", " + signed_text(found.interval->high) + "]";
+  return found;
+}
+
+bool is_decided(const PairedComparison& c) {
+  return c.verdict == Verdict::Better || c.verdict == Verdict::Worse;
+}
+
+std::string shell_word(const std::string& text) {
+  const bool plain = !text.empty() && text.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_./@:+-") == std::string::npos;
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+Markup command(const std::string& line) {
+  return tag("code", {line}, "command");
+}
+
+}  // namespace
+
+Leaderboard::Leaderboard(const ReportInput& input, const CommonFacts& facts)
+    : input_(input), facts_(facts), rows_(input.overview) {
+  count_solved();
+  choose_curve();
+  std::vector<std::string> metrics;
+  for (const char* id : {"time_to_goal", "optimality"})
+    if (find_metric(input.runs, id) != nullptr) metrics.emplace_back(id);
+  if (!rows_.empty()) common_ = build_common_scenarios(input.runs, metrics, input.options.analysis);
+}
+
+void Leaderboard::count_solved() {
+  const ResultTable& runs = input_.runs;
+  std::set<std::uint32_t> all, solved;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    all.insert(runs.scenario[run]);
+    if (runs.outcomes[runs.outcome[run]] == kSuccess) solved.insert(runs.scenario[run]);
+  }
+  scenarios_ = all.size();
+  solved_by_any_ = solved.size();
+}
+
+void Leaderboard::choose_curve() {
+  double most = -1;
+  for (std::size_t i = 0; i < input_.tables.size(); ++i) {
+    double sum = 0;
+    bool has_bins = false;
+    for (const CrossTable& table : input_.tables[i]) {
+      const std::size_t column = column_of_success(table.columns);
+      if (column == table.columns.size()) continue;
+      has_bins = has_bins || table.rows.size() > 1;
+      const auto& trend = table.trends[column];
+      if (trend) sum += trend->test.z * trend->test.z;
+    }
+    if (!has_bins || sum <= most) continue;
+    most = sum;
+    curve_ = i;
+    has_curve_ = true;
+  }
+}
+
+std::string Leaderboard::color(std::size_t row) const {
+  return method_color(index_of_method(input_.runs, name(row)));
+}
+
+std::string Leaderboard::runs_text(std::size_t row) const {
+  const Cell& cell = rows_[row].standing.method.cells[0];
+  const auto successes =
+      static_cast<std::size_t>(std::llround(*cell.estimate * static_cast<double>(cell.available)));
+  return std::to_string(successes) + " of " + count_text(cell.available, "run");
+}
+
+std::string Leaderboard::answer() const {
+  if (rows_.empty()) return campaign_name(input_.runs.manifest);
+  if (solved_by_any_ == 0)
+    return "No method reaches the goal in any of " + count_text(input_.runs.size(), "run");
+  if (rows_.size() == 1) return name(0) + " reaches the goal in " + runs_text(0);
+  std::vector<std::size_t> tied;
+  for (std::size_t row = 1; row < rows_.size(); ++row)
+    if (!is_better(input_.comparisons, name(0), name(row))) tied.push_back(row);
+  if (tied.empty()) return name(0) + " is best: it reaches the goal in " + runs_text(0);
+  const std::string others =
+      tied.size() == 1 ? name(tied[0]) + " is"
+                       : name(tied[0]) + " and " + std::to_string(tied.size() - 1) + " more are";
+  return name(0) + " leads with " + runs_text(0) + ", but " + others + " not told apart from it";
+}
+
+Markup Leaderboard::certainty() const {
+  if (rows_.empty()) return {};
+  std::vector<std::string> sentences;
+  const PairedComparison* c =
+      rows_.size() < 2 ? nullptr : success_comparison(input_.comparisons, name(0), name(1));
+  if (rows_.size() == 1 && rows_[0].standing.method.cells[0].interval)
+    sentences.push_back("Its success rate is within " +
+                        interval_of_percent(*rows_[0].standing.method.cells[0].interval) +
+                        " % with " + percent_text(input_.options.analysis.confidence) +
+                        " % confidence.");
+  if (c != nullptr && c->scenarios > 0 && c->difference) {
+    const bool b_first = c->b == name(0);
+    const std::size_t more = b_first ? c->higher : c->lower, fewer = b_first ? c->lower : c->higher;
+    sentences.push_back(
+        "It does better than " + name(1) + ", the second, in " + count_text(more, "scenario") +
+        ", and worse in " + std::to_string(fewer) + ": " + advantage_of(*c, name(0)).text + ", " +
+        p_text(c->adjusted_p) + ". The lead is " +
+        (is_decided(*c) ? (c->adjusted_p > 0.01 ? "shown, but narrowly." : "shown clearly.")
+         : c->verdict == Verdict::Identical ? "none: their values are identical."
+                                            : "not shown."));
+  } else if (rows_.size() > 1) {
+    sentences.push_back(name(0) + " and " + name(1) + " have no scenario in common.");
+  }
+  if (solved_by_any_ < scenarios_)
+    sentences.push_back("In " + std::to_string(scenarios_ - solved_by_any_) + " of " +
+                        count_text(scenarios_, "scenario") + " no method reaches the goal.");
+  return tag("p", {tag("b", {"How sure?"}), " " + join(sentences, " ")}, "sure");
+}
+
+Markup Leaderboard::rank_cell(std::size_t row) const {
+  const Standing& standing = rows_[row].standing;
+  const std::string rank =
+      std::to_string(standing.best) +
+      (standing.worst > standing.best ? "–" + std::to_string(standing.worst) : "");
+  return tag("td", {tag("b", {rank}), tag("span", {"group " + standing.letters()}, "support")},
+             "rank");
+}
+
+Markup Leaderboard::method_cell(std::size_t row) const {
+  const std::size_t method = index_of_method(input_.runs, name(row));
+  std::vector<Markup> parts = {
+      node("i", {{"class", "swatch"}, {"style", "background:" + color(row)}}),
+      node("a", {{"href", "method.html#" + std::to_string(method + 1)}, {"title", name(row)}},
+           {name(row)})};
+  for (const CommonScenarios& common : common_) {
+    const Cell& cell = common.cells[method];
+    std::vector<const Cell*> all;
+    for (const Cell& other : common.cells) all.push_back(&other);
+    const int digits = digits_for(all, common.column);
+    const std::string unit = common.column.info.unit == "-" ? "" : " " + common.column.info.unit;
+    parts.push_back(
+        tag("span",
+            {tag("b",
+                 {cell.estimate
+                      ? format_fixed(cell.median_interval ? *cell.median : *cell.estimate, digits) +
+                            unit
+                      : "–"}),
+             " " + interval_text(cell, digits)},
+            "support"));
+  }
+  return node("th", {{"scope", "row"}, {"class", "method"}}, parts);
+}
+
+Markup Leaderboard::success_cell(std::size_t row) const {
+  constexpr double kWidth = 290, kAxis = 6;
+  const MethodSummary& method = rows_[row].standing.method;
+  const Cell& cell = method.cells[0];
+  std::size_t most = 0;
+  for (const MethodOverview& other : rows_) most = std::max(most, other.standing.method.n);
+  std::vector<Markup> drawn = {
+      node("path", {{"class", "grid"}, {"d", "M.5 0V12M145 0V12M289.5 0V12"}})};
+  if (solved_by_any_ > 0 && rows_.size() > 1) {
+    const double any = kWidth * static_cast<double>(solved_by_any_) /
+                       static_cast<double>(std::max<std::size_t>(scenarios_, 1));
+    drawn.push_back(node("path", {{"class", "any"}, {"d", fmt::format("M{:.1f} 0V12", any)}}));
+  }
+  if (cell.interval)
+    drawn.push_back(node(
+        "path", {{"class", "interval"},
+                 {"d", fmt::format("M{0:.1f} 6H{1:.1f}M{0:.1f} 2v8M{1:.1f} 2v8",
+                                   kWidth * cell.interval->low, kWidth * cell.interval->high)}}));
+  drawn.push_back(node("circle", {{"cx", fmt::format("{:.1f}", kWidth * *cell.estimate)},
+                                  {"cy", fmt::format("{}", kAxis)},
+                                  {"r", "4.5"}}));
+  std::vector<Markup> parts, keys;
+  std::string label;
+  for (const std::string& outcome : input_.summary.outcomes) {  // success first
+    const auto found = method.outcomes.find(outcome);
+    if (found == method.outcomes.end() || found->second == 0) continue;
+    const std::string n = std::to_string(found->second), kind = outcome_kind(outcome);
+    parts.push_back(node("i", {{"class", kind}, {"style", "flex:" + n}}));
+    keys.push_back(node(
+        "span", {{"class", "key"}},
+        {node("span", {{"class", "bar"}}, {node("i", {{"class", kind}})}), n + " " + outcome}));
+    label += (label.empty() ? "" : ", ") + n + " " + outcome;
+  }
+  const std::string height = fmt::format(
+      "height:{:.0f}px", std::max(4.0, 14.0 * static_cast<double>(method.n) /
+                                           static_cast<double>(std::max<std::size_t>(most, 1))));
+  return node(
+      "td", {{"class", "success"}},
+      {tag("span", {percent(*cell.estimate) + " %"}, "big"),
+       tag("span", {cell.interval ? " " + interval_of_percent(*cell.interval) : ""}, "soft"),
+       node("svg", {{"class", "axis"}, {"viewBox", "0 0 290 12"}, {"aria-hidden", "true"}}, drawn),
+       node("div", {{"class", "bar"}, {"style", height}, {"role", "img"}, {"aria-label", label}},
+            parts),
+       tag("div", keys, "keys")});
+}
+
+Markup Leaderboard::curve_cell(std::size_t row) const {
+  constexpr double kLeft = 26, kRight = 176, kTop = 12, kBottom = 48;
+  const std::vector<CrossTable>& tables = input_.tables[curve_];
+  const CrossTable* own = nullptr;
+  std::vector<Markup> drawn = {
+      node("path", {{"class", "grid"}, {"d", "M26 12H176M26 48H176"}}),
+      node("text", {{"x", "22"}, {"y", "16"}, {"text-anchor", "end"}}, {"100"}),
+      node("text", {{"x", "22"}, {"y", "52"}, {"text-anchor", "end"}}, {"0"})};
+  const auto x_of = [&](const CrossTable& table, std::size_t bin) {
+    return kLeft + (static_cast<double>(bin) + 0.5) * (kRight - kLeft) /
+                       static_cast<double>(table.rows.size());
+  };
+  const auto y_of = [&](double rate) { return kBottom - rate * (kBottom - kTop); };
+  const auto line_of = [&](const CrossTable& table, std::size_t column) {
+    std::string points;
+    for (std::size_t bin = 0; bin < table.rows.size(); ++bin)
+      if (const auto& rate = table.rows[bin].cells[column].estimate)
+        points += (points.empty() ? "" : " ") + point(x_of(table, bin), y_of(*rate));
+    return points;
+  };
+  for (const CrossTable& table : tables) {
+    if (table.method == name(row)) own = &table;
+    const bool is_shown = rows_.size() <= kOtherCurves ? table.method != name(row)
+                                                       : table.method == name(0) && row > 0;
+    if (is_shown)
+      drawn.push_back(
+          node("polyline",
+               {{"class", "other"}, {"points", line_of(table, column_of_success(table.columns))}}));
+  }
+  if (own == nullptr) return tag("td", {"–"});
+  const std::size_t column = column_of_success(own->columns);
+  const std::optional<Trend>& trend = own->trends[column];
+  const bool shown = is_shown(trend, own->confidence);
+  std::string label = "success by " + own->descriptor.name + ":";
+  drawn.push_back(node(
+      "polyline", {{"class", shown ? "own" : "own unsure"}, {"points", line_of(*own, column)}}));
+  for (std::size_t bin = 0; bin < own->rows.size(); ++bin) {
+    const CrossRow& line = own->rows[bin];
+    const Cell& cell = line.cells[column];
+    const std::string x = fmt::format("{:.1f}", x_of(*own, bin));
+    if (bin > 0 && line.bin.low)
+      drawn.push_back(
+          node("text",
+               {{"x", fmt::format("{:.1f}", (x_of(*own, bin) + x_of(*own, bin - 1)) / 2)},
+                {"y", "62"},
+                {"text-anchor", "middle"}},
+               {format_number(*line.bin.low)}));
+    if (!cell.estimate) continue;
+    label += " " + line.bin.label() + " " + percent(*cell.estimate) + " %;";
+    if (cell.interval)
+      drawn.push_back(
+          node("path", {{"class", "error"},
+                        {"d", fmt::format("M{} {:.1f}V{:.1f}", x, y_of(cell.interval->high),
+                                          y_of(cell.interval->low))}}));
+    drawn.push_back(node(
+        "circle", {{"cx", x}, {"cy", fmt::format("{:.1f}", y_of(*cell.estimate))}, {"r", "3"}}));
+    const double below = *cell.estimate > 0.5 ? 13 : -6;
+    drawn.push_back(node("text",
+                         {{"class", "value"},
+                          {"x", x},
+                          {"y", fmt::format("{:.1f}", y_of(*cell.estimate) + below)},
+                          {"text-anchor", "middle"}},
+                         {percent(*cell.estimate)}));
+  }
+  const Markup caption =
+      shown ? tag("span",
+                  {tag("b", {trend->test.z > 0 ? "rises" : "falls"}),
+                   ", " + p_text(trend->adjusted_p)},
+                  "support")
+            : tag("span", {trend ? "no trend shown" : "too few runs for a trend"}, "support");
+  return node(
+      "td", {{"class", "curve"}},
+      {node("svg", {{"viewBox", "0 0 190 66"}, {"role", "img"}, {"aria-label", label}}, drawn),
+       caption});
+}
+
+Markup Leaderboard::why_cell(std::size_t row) const {
+  const MethodOverview& entry = rows_[row];
+  const std::size_t method = index_of_method(input_.runs, name(row));
+  std::vector<Markup> text;
+  if (entry.failed == 0) {
+    text.push_back("No failure in these runs.");
+  } else {
+    text.push_back(tag("b", {count_text(entry.failed, "failure")}));
+    if (rows_.size() > 1)
+      text.push_back("; other methods solve " + std::to_string(entry.solved_by_others) +
+                     " of them");
+    text.push_back(". ");
+    if (const auto common = facts_.of(method)) {
+      text.push_back(
+          tag("b", {std::to_string(common->count) + " of " + std::to_string(common->failures)}));
+      text.push_back(" " + common->text + (ends_with(common->text, "?") ? "" : "."));
+    }
+  }
+  std::vector<Markup> parts = {tag("p", text)};
+  const bool has_pictures = rows_.size() <= kFullRows || row == 0;
+  std::vector<Markup> figures;
+  for (const NotableFailure& failure : entry.failures) {
+    const std::size_t run = failure.run, scenario = input_.runs.scenario[run];
+    figures.push_back(
+        node("a",
+             {{"href", "run.html#" + run_id(input_.runs, run)},
+              {"title", input_.runs.scenario_names[scenario] + ": " + failure.why}},
+             {node("span", {{"class", "picture"}, {"data-failure", std::to_string(run)}}),
+              tag("span",
+                  {failure.others == 0 ? input_.runs.outcomes[input_.runs.outcome[run]]
+                                       : std::to_string(failure.solved) + " of " +
+                                             std::to_string(failure.others) + " solve"},
+                  "support")}));
+  }
+  const std::size_t unsolved = entry.failed - entry.solved_by_others;
+  if (figures.size() < kMaxNotableFailures && rows_.size() > 1 && unsolved > 0)
+    figures.push_back(node("a", {{"class", "more"}, {"href", "runs.html"}},
+                           {std::to_string(unsolved) + " that no other method solves"}));
+  if (has_pictures && !figures.empty()) parts.push_back(tag("div", figures, "failures"));
+  return node("td", {{"class", "why"}}, {tag("div", parts)});
+}
+
+Markup Leaderboard::row(std::size_t index) const {
+  std::vector<Markup> cells;
+  if (rows_.size() > 1) cells.push_back(rank_cell(index));
+  cells.push_back(method_cell(index));
+  cells.push_back(success_cell(index));
+  if (has_curve_) cells.push_back(curve_cell(index));
+  cells.push_back(why_cell(index));
+  return node("tr", {{"id", "m-" + name(index)}}, cells);
+}
+
+Markup Leaderboard::head() const {
+  const auto column = [](const std::string& question, const std::string& note) {
+    return node("th", {{"scope", "col"}}, {question, tag("small", {note})});
+  };
+  std::vector<Markup> cells;
+  if (rows_.size() > 1) cells.push_back(column("Rank", ""));
+  std::string on = common_.empty() ? ""
+                                   : "on the " + std::to_string(common_[0].scenarios) +
+                                         " scenarios that all solve: ";
+  for (std::size_t i = 0; i < common_.size(); ++i)
+    on += (i > 0 ? ", " : "") + common_[i].column.info.id;
+  cells.push_back(column("Method", on));
+  cells.push_back(column(
+      "How good, how sure?",
+      "success with its " + percent_text(input_.options.analysis.confidence) +
+          " % interval; outcomes of the runs" +
+          (rows_.size() > 1
+               ? fmt::format("; dashed: solved by any of the {}, {} %", rows_.size(),
+                             percent(static_cast<double>(solved_by_any_) /
+                                     static_cast<double>(std::max<std::size_t>(scenarios_, 1))))
+               : "")));
+  if (has_curve_) {
+    const QuantityInfo& by = input_.tables[curve_].front().descriptor;
+    cells.push_back(column(
+        "Where does it fail?",
+        "success in % by " + lower_case(by.name) + (by.unit == "-" ? "" : " [" + by.unit + "]")));
+  }
+  cells.push_back(column("Why?", rows_.size() > 1
+                                     ? "what its failures have in common; failures that "
+                                       "others solve (grey: another method)"
+                                     : "what its failures have in common"));
+  return tag("thead", {tag("tr", cells)});
+}
+
+Markup Leaderboard::table() const {
+  if (rows_.empty()) return {};
+  const std::size_t visible = rows_.size() <= kRowsBeforeFold + 1 ? rows_.size() : kRowsBeforeFold;
+  std::vector<Markup> first, others;
+  for (std::size_t i = 0; i < rows_.size(); ++i) (i < visible ? first : others).push_back(row(i));
+  const std::string classes = rows_.size() > kFullRows ? "board compact" : "board";
+  std::vector<Markup> parts = {tag("table", {head(), tag("tbody", first)}, classes)};
+  if (!others.empty())
+    parts.push_back(tag("details", {tag("summary", {count_text(others.size(), "more method")}),
+                                    tag("table", {tag("tbody", others)}, classes)}));
+  return tag("div", parts, "card");
+}
+
+Markup Leaderboard::differences() const {
+  std::vector<const PairedComparison*> shown;
+  const PairedComparison* closest = nullptr;
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t j = i + 1; j < rows_.size(); ++j) {
+      const PairedComparison* c = success_comparison(input_.comparisons, name(i), name(j));
+      if (c == nullptr || !c->difference) continue;
+      ++pairs;
+      if (!is_decided(*c)) {
+        if (closest == nullptr || c->adjusted_p > closest->adjusted_p) closest = c;
+        continue;
+      }
+      bool implied = false;
+      for (std::size_t k = i + 1; k < j; ++k)
+        implied = implied || (is_better(input_.comparisons, name(i), name(k)) &&
+                              is_better(input_.comparisons, name(k), name(j)));
+      if (!implied) shown.push_back(c);
+    }
+  if (pairs == 0) return {};
+  const std::size_t left_out = shown.size() > kDifferences ? shown.size() - kDifferences : 0;
+  shown.resize(shown.size() - left_out);
+  if (closest != nullptr) shown.push_back(closest);
+  std::vector<Markup> lines;
+  double largest = 0.05;
+  for (const PairedComparison* c : shown)
+    for (const double end :
+         {c->interval ? c->interval->low : 0, c->interval ? c->interval->high : 0, *c->difference})
+      largest = std::max(largest, std::abs(end));
+  for (const PairedComparison* c : shown) {
+    const bool b_first = *c->difference > 0;
+    const std::string &better = b_first ? c->b : c->a, &other = b_first ? c->a : c->b;
+    const Advantage advantage = advantage_of(*c, better);
+    const auto x_of = [&](double value) {
+      return fmt::format("{:.1f}", 55 + 52 * value / largest);
+    };
+    std::vector<Markup> drawn = {node("path", {{"class", "grid"}, {"d", "M55 0V14"}})};
+    if (advantage.interval)
+      drawn.push_back(node("path", {{"class", "interval"},
+                                    {"d", "M" + x_of(advantage.interval->low) + " 7H" +
+                                              x_of(advantage.interval->high)}}));
+    drawn.push_back(node("circle", {{"cx", x_of(advantage.value)}, {"cy", "7"}, {"r", "2.5"}}));
+    lines.push_back(
+        tag("li", {tag("span", {better + (is_decided(*c) ? " > " : " ≈ ") + other}),
+                   node("svg", {{"viewBox", "0 0 110 14"}, {"aria-hidden", "true"}}, drawn),
+                   tag("span", {advantage.text}), tag("span", {p_text(c->adjusted_p)}, "soft")}));
+  }
+  const std::string rest =
+      left_out > 0 ? " " + std::to_string(left_out) + " more are shown below." : "";
+  return tag("section",
+             {tag("h2", {"Which differences are shown"}), tag("ul", lines, "differences"),
+              tag("p",
+                  {"Difference in success on the same scenarios; > shown, ≈ not told apart. Those "
+                   "that follow from two others are left out." +
+                   rest + " Corrected by Holm over " + count_text(pairs, "pair") + "."},
+                  "support")});
+}
+
+const PairedComparison* Leaderboard::open_pair() const {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t j = i + 1; j < rows_.size(); ++j) {
+      const PairedComparison* c = success_comparison(input_.comparisons, name(i), name(j));
+      if (c != nullptr && c->difference && !is_decided(*c) && !c->identical) return c;
+    }
+  return nullptr;
+}
+
+Markup Leaderboard::more_scenarios() const {
+  const PairedComparison* c = open_pair();
+  const bool is_open = c != nullptr;
+  if (!is_open && rows_.size() > 1) c = success_comparison(input_.comparisons, name(0), name(1));
+  const std::size_t count =
+      c != nullptr && c->required_scenarios > 0 ? c->required_scenarios : std::size_t{400};
+  const std::string what = rows_.size() == 1 ? "narrow the interval"
+                           : c == nullptr    ? "compare the methods"
+                           : is_open ? "tell " + c->a + " from " + c->b + " if they differ by " +
+                                           format_fixed(c->relevant, 2) + " (" +
+                                           percent_text(c->power) + " % power)"
+                                     : "test the lead of " + name(0) + " again";
+  return tag("li", {tag("b", {"Make sure: "}),
+                    count_text(count, "new scenario") + " (" +
+                        count_text(count * rows_.size(), "run") + ") " + what + ".",
+                    command("slalom-evaluate " + shell_word(input_.options.config) + " -o " +
+                            shell_word(input_.options.output + "-2") +
+                            " --set campaign.seed=" + std::to_string(input_.options.seed + 1) +
+                            " --set scenarios.count=" + std::to_string(count))});
+}
+
+Markup Leaderboard::look() const {
+  std::size_t chosen = rows_.size();
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (rows_[row].failed > 0 &&
+        (chosen == rows_.size() || rows_[row].solved_by_others > rows_[chosen].solved_by_others))
+      chosen = row;
+  if (chosen == rows_.size()) chosen = 0;
+  const std::string method = unmarked_name(input_.runs, name(chosen));
+  const MethodOverview& entry = rows_[chosen];
+  const std::string why =
+      entry.failed == 0   ? "no failure of " + name(chosen) + " is known; search for one."
+      : rows_.size() == 1 ? "search for the smallest scenarios in which " + name(chosen) + " fails."
+                          : "others solve " + std::to_string(entry.solved_by_others) + " of the " +
+                                count_text(entry.failed, "failure") + " of " + name(chosen) +
+                                "; the smallest scenarios that show it:";
+  return tag("li", {tag("b", {"Look: "}), why,
+                    command("slalom-falsify search " + shell_word(input_.options.config) +
+                            " --method " + shell_word(method) + " --runs 200 -o " +
+                            shell_word(input_.options.output + "-failures"))});
+}
+
+Markup Leaderboard::do_better() const {
+  const MethodOverview& first = rows_[0];
+  const std::string method = unmarked_name(input_.runs, name(0));
+  const auto& interval = first.standing.method.cells[0].interval;
+  if (interval && interval->low >= 0.9)
+    return tag("li", {tag("b", {"Find its limit: "}),
+                      "the narrowest passage that " + name(0) + " passes reliably.",
+                      command("slalom-certify limit " + shell_word(input_.options.config) +
+                              " --method " + shell_word(method) + " --of passage.width -o " +
+                              shell_word(input_.options.output + ".certificate.json"))});
+  return tag("li", {tag("b", {"Do better: "}),
+                    "other values of the parameters that " + name(0) +
+                        " declares, tested on scenarios that the search does not see.",
+                    command("slalom-tune " + shell_word(input_.options.config) + " --method " +
+                            shell_word(method) + " --runs 1000 -o " +
+                            shell_word(input_.options.output + "-tuned"))});
+}
+
+Markup Leaderboard::next_steps() const {
+  if (rows_.empty() || input_.options.config.empty()) return {};
+  std::vector<Markup> steps;
+  if (input_.options.generates) steps.push_back(more_scenarios());
+  steps.push_back(look());
+  steps.push_back(do_better());
+  return tag("section", {tag("h2", {"What next"}), tag("ol", steps, "next")});
+}
+
+}  // namespace slalom
