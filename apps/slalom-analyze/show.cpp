@@ -2,10 +2,15 @@
 #include "show.h"
 
 #include <slalom/analysis/cell_text.h>
+#include <slalom/core/math.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 #include <slalom/io/imported_table.h>
+#include <slalom/references/reference.h>
+#include <slalom/results/recorded_ini.h>
 #include <slalom/results/repeatability.h>
+#include <slalom/results/result_table.h>
+#include <slalom/simulation/simulate.h>
 #include <slalom/trajectory/trajectory.h>
 
 #include <cmath>
@@ -74,6 +79,48 @@ std::string successes_text(const ResultFile& file, const RunRecord& run) {
   return text;
 }
 
+std::string place_text(const mrpt::math::TPoint2D& place) {
+  return "(" + format_fixed(place.x, 2) + ", " + format_fixed(place.y, 2) + ")";
+}
+
+std::string meters_between(const mrpt::math::TPoint2D& a, const mrpt::math::TPoint2D& b) {
+  return format_fixed(math::hypot(a.x - b.x, a.y - b.y), 2) + " m";
+}
+
+/// Whether a failed run could have succeeded, by which way, and where it ended.
+std::string failure_text(const ResultFile& file, const RunRecord& run) {
+  if (!is_failure(run.outcome) || !file.has_scenario(run.scenario_hash)) return "";
+  const Scenario scenario = file.read_scenario(run.scenario_hash);
+  const References references = file.read_references(run.scenario_hash);
+  const std::vector<Sample> samples = file.read_trajectory(run).samples;
+  const mrpt::math::TPoint2D goal(scenario.goal().x, scenario.goal().y);
+  std::string way = references.unsolvable_reason().empty()
+                        ? "not known"
+                        : "no: " + references.unsolvable_reason();
+  std::string end;
+  if (!samples.empty()) {
+    const mrpt::math::TPoint2D at(samples.back().pose.x, samples.back().pose.y);
+    end = place_text(at) + ", " + meters_between(at, goal) + " from the goal";
+  }
+  const auto& shortest = references.shortest;
+  if (shortest && std::isfinite(shortest->certificate.upper_bound)) {
+    way = "yes: a path of " + format_fixed(shortest->length, 2) + " m exists";
+    const bool wide = references.safest && !references.safest->path.empty();
+    const Path& path = wide ? references.safest->path : shortest->path;
+    if (!path.empty()) {
+      const IniFile ini = recorded_ini(file.read_manifest(), file.path());
+      const World world(scenario, read_options<SimulationOptions>(ini, "simulation").resolution);
+      const mrpt::math::TPoint2D narrowest = narrowest_place(world, path);
+      way += std::string("; the ") + (wide ? "widest" : "shortest") + " way is narrowest, " +
+             format_fixed(2 * bottleneck_of(world, path), 2) + " m, at " + place_text(narrowest);
+      if (!samples.empty())
+        end += ", " + meters_between({samples.back().pose.x, samples.back().pose.y}, narrowest) +
+               " from the narrowest place";
+    }
+  }
+  return line("could it be solved", way) + (end.empty() ? "" : line("ended at", end));
+}
+
 }  // namespace
 
 std::string run_text(const ResultFile& file, const RunRecord& run) {
@@ -84,8 +131,10 @@ std::string run_text(const ResultFile& file, const RunRecord& run) {
                      line("seed", std::to_string(run.seed)) + line("outcome", run.outcome);
   if (!run.outcome_detail.empty()) text += line("detail", run.outcome_detail);
   text += line("successes in the scenario", successes_text(file, run));
+  const Manifest manifest = file.read_manifest();
+  if (!is_imported(manifest)) text += failure_text(file, run);
   text += line("trajectory", run.trajectory_hash);
-  const Repeatability measured = repeatability_of(file.read_manifest())[run.method];
+  const Repeatability measured = repeatability_of(manifest)[run.method];
   if (!measured.is_repeatable()) text += line("of the method", to_string(measured));
   text += "metrics\n" + quantities_text(file.metrics(), run.metrics);
   if (file.has_scenario(run.scenario_hash)) {
@@ -93,7 +142,7 @@ std::string run_text(const ResultFile& file, const RunRecord& run) {
     text +=
         "descriptors of the scenario\n" + quantities_text(file.descriptors(), scenario.descriptors);
   }
-  if (is_imported(file.read_manifest())) return text;
+  if (is_imported(manifest)) return text;
   const RunTiming timing = file.read_timing(run);
   text += "wall clock (not reproducible)\n" + timing_text(timing);
   if (timing.output.empty()) return text;

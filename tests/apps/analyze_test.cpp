@@ -3,12 +3,27 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <limits>
+#include <regex>
 
 namespace slalom {
 namespace {
 
-class Analyze : public ResultsTest {};
+class Analyze : public ResultsTest {
+ protected:
+  /// The id of a run that succeeds.
+  std::string first_success() const {
+    std::istringstream dump(run("slalom-analyze dump runs.results").out);
+    for (std::string line; std::getline(dump, line);) {
+      const auto json = nlohmann::json::parse(line);
+      if (json["outcome"] == "success")
+        return json["scenario"]["hash"].get<std::string>().substr(0, 8) + "/" +
+               json["method"].get<std::string>() + "/0";
+    }
+    return "";
+  }
+};
 
 TEST_F(Analyze, TableCrossesDescriptorBinsWithMetrics) {
   const ProgramResult result =
@@ -56,6 +71,43 @@ TEST_F(Analyze, ShowPrintsTheRunThatDumpLists) {
                                (successes > 0 ? ", the fastest " + winner + " in " : "");
   EXPECT_NE(shown.find(expected), std::string::npos) << expected << "\n" << shown;
   expect_failure("slalom-analyze show runs.results --run 00000000/nd/0", 2, {"00000000"});
+}
+
+TEST_F(Analyze, ShowSaysWhetherAFailedRunCouldHaveSucceededAndByWhichWay) {
+  // A wall at 5 <= x <= 5.2 with a door of 1 m from y = 7 to y = 8, and walls of 1 m beside it: the
+  // way from (1, 1) to (9, 1) leads through it, straight ahead does not.
+  write("door.scenario.yaml",
+        "name: door\nrepresentation: continuous\nbounds: [0, 0, 10, 10]\nstart: [1, 1, 0]\ngoal: "
+        "[9, 1]\n"
+        "discs: []\npolygons: [[[5, 0], [5.2, 0], [5.2, 7], [5, 7]], "
+        "[[5, 8], [5.2, 8], [5.2, 10], [5, 10]]]\n");
+  ASSERT_EQ(run("slalom-scenarios import door.scenario.yaml -o door.scenarios").status, 0);
+  write("door.ini",
+        "[campaign]\nmethods = go\n[scenarios]\nlist = door.scenarios\n"
+        "[method.go]\nadapter = library\nplugin = libslalom_go_to_goal.so\n");
+  ASSERT_EQ(run("slalom-evaluate door.ini -o door --quiet").status, 0);
+  const std::string shown = run("slalom-analyze show door/runs.results --run door/go/0").out;
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(
+      shown, found,
+      std::regex(
+          "could it be solved +yes: a path of ([0-9.]+) m exists; the widest way is narrowest, "
+          "([0-9.]+) m, at \\(([0-9.]+), ([0-9.]+)\\)\n"
+          "ended at +\\(([0-9.]+), ([0-9.]+)\\), ([0-9.]+) m from the goal, ([0-9.]+) m from "
+          "the narrowest place\n")))
+      << shown;
+  const auto number = [&](std::size_t i) { return std::stod(found[i]); };
+  // To a corner of the door and on: 2 * hypot(4, 6) less the walls' width, and the robot's radius.
+  EXPECT_NEAR(number(1), 2 * std::hypot(4, 6), 1);
+  EXPECT_NEAR(number(2), 1, 0.16) << "less the cells that the walls touch";
+  EXPECT_GT(number(3), 4.8);
+  EXPECT_LT(number(3), 5.4);
+  EXPECT_NEAR(number(4), 7.5, 0.11);
+  EXPECT_NEAR(number(5), 5 - 0.25, 0.15) << "before the wall";
+  EXPECT_NEAR(number(7), std::hypot(9 - number(5), 1 - number(6)), 0.011);
+  EXPECT_NEAR(number(8), std::hypot(number(3) - number(5), number(4) - number(6)), 0.015);
+  EXPECT_EQ(run("slalom-analyze show runs.results --run " + first_success()).out.find("ended at"),
+            std::string::npos);
 }
 
 TEST_F(Analyze, ReportIsASelfContainedFolder) {
@@ -462,9 +514,9 @@ TEST_F(Analyze, AFolderOfShardsHasTheTablesOfTheMergedFile) {
   EXPECT_EQ(run("slalom-analyze table shards").err, "shards: 4 of 8 runs in 1 file\n");
   EXPECT_EQ(run(report + "part shards").err,
             "shards: 4 of 8 runs in 1 file\nreport: part/index.html\n");
-  EXPECT_NE(read("part/index.html").find("<b>4 of 8</b><span>runs</span>"), std::string::npos);
+  EXPECT_NE(read("part/index.html").find("scenarios, 4 of 8 runs</p>"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(read("part/report.json"))["planned_runs"], 8);
-  EXPECT_NE(read("report-shards/index.html").find("<b>8</b><span>runs</span>"), std::string::npos);
+  EXPECT_NE(read("report-shards/index.html").find("scenarios, 8 runs</p>"), std::string::npos);
   for (const std::string verb : {"dump", "show --run 00000000/nd/0"})
     expect_failure("slalom-analyze " + verb + " shards", 3, {"shards", "slalom-simulate merge"});
   write("shards/2.results", "no results");

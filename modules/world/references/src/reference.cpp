@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_time.h"
 
+#include <slalom/core/math.h>
 #include <slalom/references/exact_shortest.h>
 #include <slalom/references/reference.h>
 #include <slalom/references/safest_path.h>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace slalom {
@@ -102,6 +104,25 @@ double bottleneck_of(const World& world, const Path& path) {
   for (std::size_t i = 1; i < path.size(); ++i)
     width = field.segment_clearance(path[i - 1], path[i], width);
   return width;
+}
+
+mrpt::math::TPoint2D narrowest_place(const World& world, const Path& path) {
+  const DistanceField& field = world.distance_field();
+  const double step = world.occupancy().resolution() / 4;
+  mrpt::math::TPoint2D narrowest = path.front();
+  double least = field.clearance(narrowest);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const mrpt::math::TPoint2D &from = path[i - 1], &to = path[i];
+    const int steps = static_cast<int>(std::ceil(math::hypot(to.x - from.x, to.y - from.y) / step));
+    for (int k = 1; k <= steps; ++k) {
+      const double part = static_cast<double>(k) / steps;
+      const mrpt::math::TPoint2D at(from.x + part * (to.x - from.x),
+                                    from.y + part * (to.y - from.y));
+      const double clearance = field.clearance(at);
+      if (clearance < least) least = clearance, narrowest = at;
+    }
+  }
+  return narrowest;
 }
 
 References compute_references(const PlanningProblem& problem, const ReferencePlanner* planner,

@@ -126,6 +126,10 @@ constexpr auto enum_names(ReferencePlanner::Objective) {
 /// Smallest d(q) along a path (m).
 double bottleneck_of(const World& world, const Path& path);
 
+/// The first point of a path, of points a quarter of a cell apart, with the smallest d(q). Requires
+/// a path with points.
+mrpt::math::TPoint2D narrowest_place(const World& world, const Path& path);
+
 /// Whether every point of the path has a clearance of at least `radius` (less kContactTolerance).
 bool is_free(const World& world, const Path& path, double radius);
 
