@@ -11,7 +11,7 @@ command -v chromium >/dev/null || { echo "needs the package chromium" >&2; exit 
 profile=$(mktemp -d)
 trap 'rm -rf "$profile"' EXIT
 # Waits for all stages: otherwise the picture can show a page that is drawn in part.
-chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,900 --virtual-time-budget=3000 \
+chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1280,760 --virtual-time-budget=3000 \
   --run-all-compositor-stages-before-draw \
   --user-data-dir="$profile" --screenshot="$picture" "file://$report/index.html" 2>"$profile/log" ||
   { cat "$profile/log" >&2; exit 1; }
