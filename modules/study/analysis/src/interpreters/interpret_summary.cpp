@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../text/acceptance.h"
 #include "row_table.h"
 
 #include <slalom/analysis/common_scenarios.h>
@@ -79,6 +80,9 @@ Interpretation interpret_summary(const std::vector<ResultTable>& results,
   Interpretation found{{exact.table()}, {view.table()}, {}, true};
   add_common_scenarios(found, results[0], query);
   found.remarks = overview_sentences(results[0], query);
+  for (std::string& sentence :
+       acceptance_sentences(results[0], query.method, query.comparison.analysis.confidence))
+    found.remarks.push_back(std::move(sentence));
   return found;
 }
 
