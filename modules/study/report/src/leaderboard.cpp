@@ -64,6 +64,61 @@ std::string point(double x, double y) {
   return fmt::format("{:.1f},{:.1f}", x, y);
 }
 
+/// The place of a bin in a curve of 190 by 66 pixels, whose axes are at 12 (1) and 48 (0).
+double x_of(const CrossTable& table, std::size_t bin) {
+  constexpr double kLeft = 26, kRight = 176;
+  return kLeft + (static_cast<double>(bin) + 0.5) * (kRight - kLeft) /
+                     static_cast<double>(table.rows.size());
+}
+
+double y_of(double rate) {
+  constexpr double kTop = 12, kBottom = 48;
+  return kBottom - rate * (kBottom - kTop);
+}
+
+/// The success over the bins of a table.
+Markup curve_of(const CrossTable& table, const std::string& classes) {
+  std::string points;
+  for (std::size_t bin = 0; bin < table.rows.size(); ++bin)
+    if (const auto& rate = table.rows[bin].cells[column_of_success(table.columns)].estimate)
+      points += (points.empty() ? "" : " ") + point(x_of(table, bin), y_of(*rate));
+  return node("polyline", {{"class", classes}, {"points", points}});
+}
+
+/// Adds the points of a curve, with intervals, values and the edges between bins. Returns the same
+/// in words.
+std::string add_points(const CrossTable& table, std::vector<Markup>& drawn) {
+  std::string label = "success by " + table.descriptor.name + ":";
+  for (std::size_t bin = 0; bin < table.rows.size(); ++bin) {
+    const CrossRow& line = table.rows[bin];
+    const Cell& cell = line.cells[column_of_success(table.columns)];
+    const auto add_text = [&](const char* name, double x, double y, const std::string& text) {
+      drawn.push_back(node("text",
+                           {{"class", name},
+                            {"x", fmt::format("{:.1f}", x)},
+                            {"y", fmt::format("{:.1f}", y)},
+                            {"text-anchor", "middle"}},
+                           {text}));
+    };
+    const double x = x_of(table, bin);
+    if (bin > 0 && line.bin.low)
+      add_text("edge", (x + x_of(table, bin - 1)) / 2, 62, format_number(*line.bin.low));
+    if (!cell.estimate) continue;
+    const double y = y_of(*cell.estimate);
+    label += " " + line.bin.label() + " " + percent(*cell.estimate) + " %;";
+    if (cell.interval)
+      drawn.push_back(
+          node("path", {{"class", "error"},
+                        {"d", fmt::format("M{:.1f} {:.1f}V{:.1f}", x, y_of(cell.interval->high),
+                                          y_of(cell.interval->low))}}));
+    drawn.push_back(
+        node("circle",
+             {{"cx", fmt::format("{:.1f}", x)}, {"cy", fmt::format("{:.1f}", y)}, {"r", "3"}}));
+    add_text("value", x, y + (*cell.estimate > 0.5 ? 13 : -6), percent(*cell.estimate));
+  }
+  return label;
+}
+
 /// A paired difference as that of `better` over the other side, with its interval.
 struct Advantage {
   double value;
@@ -109,7 +164,9 @@ Leaderboard::Leaderboard(const ReportInput& input, const CommonFacts& facts)
   std::vector<std::string> metrics;
   for (const char* id : {"time_to_goal", "optimality"})
     if (find_metric(input.runs, id) != nullptr) metrics.emplace_back(id);
-  if (!rows_.empty()) common_ = build_common_scenarios(input.runs, metrics, input.options.analysis);
+  if (rows_.empty() || metrics.empty()) return;
+  for (const Column& column : resolve_columns(input.runs, metrics))
+    common_.push_back(make_common_scenarios(input.runs, column, input.options.analysis));
 }
 
 void Leaderboard::count_solved() {
@@ -117,7 +174,9 @@ void Leaderboard::count_solved() {
   std::set<std::uint32_t> all, solved;
   for (std::size_t run = 0; run < runs.size(); ++run) {
     all.insert(runs.scenario[run]);
-    if (runs.outcomes[runs.outcome[run]] == kSuccess) solved.insert(runs.scenario[run]);
+    const std::string& outcome = runs.outcomes[runs.outcome[run]];
+    if (outcome == kSuccess) solved.insert(runs.scenario[run]);
+    knows_outcomes_ = knows_outcomes_ && outcome != kUnknownOutcome;
   }
   scenarios_ = all.size();
   solved_by_any_ = solved.size();
@@ -146,26 +205,33 @@ std::string Leaderboard::color(std::size_t row) const {
   return method_color(index_of_method(input_.runs, name(row)));
 }
 
-std::string Leaderboard::runs_text(std::size_t row) const {
+/// `verb` "12 of 70 runs", or `of` "0.85" for a success that is no rate of runs.
+std::string Leaderboard::result_text(std::size_t row, const std::string& verb,
+                                     const std::string& of) const {
   const Cell& cell = rows_[row].standing.method.cells[0];
+  const ValueColumn* values = find_metric(input_.runs, kSuccess);
+  if (values != nullptr && !values->info().is_rate())
+    return of + " " + format_fixed(*cell.estimate, 2);
   const auto successes =
       static_cast<std::size_t>(std::llround(*cell.estimate * static_cast<double>(cell.available)));
-  return std::to_string(successes) + " of " + count_text(cell.available, "run");
+  return verb + " " + std::to_string(successes) + " of " + count_text(cell.available, "run");
 }
 
 std::string Leaderboard::answer() const {
   if (rows_.empty()) return campaign_name(input_.runs.manifest);
-  if (solved_by_any_ == 0)
+  if (solved_by_any_ == 0 && knows_outcomes_)
     return "No method reaches the goal in any of " + count_text(input_.runs.size(), "run");
-  if (rows_.size() == 1) return name(0) + " reaches the goal in " + runs_text(0);
+  const std::string result = result_text(0, "reaches the goal in", "has a mean success of");
+  if (rows_.size() == 1) return name(0) + " " + result;
   std::vector<std::size_t> tied;
   for (std::size_t row = 1; row < rows_.size(); ++row)
     if (!is_better(input_.comparisons, name(0), name(row))) tied.push_back(row);
-  if (tied.empty()) return name(0) + " is best: it reaches the goal in " + runs_text(0);
+  if (tied.empty()) return name(0) + " is best: it " + result;
   const std::string others =
       tied.size() == 1 ? name(tied[0]) + " is"
                        : name(tied[0]) + " and " + std::to_string(tied.size() - 1) + " more are";
-  return name(0) + " leads with " + runs_text(0) + ", but " + others + " not told apart from it";
+  return name(0) + " " + result_text(0, "leads with", "leads with a mean success of") + ", but " +
+         others + " not told apart from it";
 }
 
 Markup Leaderboard::certainty() const {
@@ -191,7 +257,7 @@ Markup Leaderboard::certainty() const {
   } else if (rows_.size() > 1) {
     sentences.push_back(name(0) + " and " + name(1) + " have no scenario in common.");
   }
-  if (solved_by_any_ < scenarios_)
+  if (knows_outcomes_ && solved_by_any_ < scenarios_)
     sentences.push_back("In " + std::to_string(scenarios_ - solved_by_any_) + " of " +
                         count_text(scenarios_, "scenario") + " no method reaches the goal.");
   return tag("p", {tag("b", {"How sure?"}), " " + join(sentences, " ")}, "sure");
@@ -218,15 +284,15 @@ Markup Leaderboard::method_cell(std::size_t row) const {
     for (const Cell& other : common.cells) all.push_back(&other);
     const int digits = digits_for(all, common.column);
     const std::string unit = common.column.info.unit == "-" ? "" : " " + common.column.info.unit;
-    parts.push_back(
-        tag("span",
-            {tag("b",
-                 {cell.estimate
-                      ? format_fixed(cell.median_interval ? *cell.median : *cell.estimate, digits) +
-                            unit
-                      : "–"}),
-             " " + interval_text(cell, digits)},
-            "support"));
+    parts.push_back(tag(
+        "span",
+        {tag("b", {cell.estimate ? format_fixed(states_median(common.column.info) ? *cell.median
+                                                                                  : *cell.estimate,
+                                                digits) +
+                                       unit
+                                 : "–"}),
+         " " + interval_text(cell, digits)},
+        "support"));
   }
   return node("th", {{"scope", "row"}, {"class", "method"}}, parts);
 }
@@ -239,7 +305,7 @@ Markup Leaderboard::success_cell(std::size_t row) const {
   for (const MethodOverview& other : rows_) most = std::max(most, other.standing.method.n);
   std::vector<Markup> drawn = {
       node("path", {{"class", "grid"}, {"d", "M.5 0V12M145 0V12M289.5 0V12"}})};
-  if (solved_by_any_ > 0 && rows_.size() > 1) {
+  if (knows_outcomes_ && rows_.size() > 1) {
     const double any = kWidth * static_cast<double>(solved_by_any_) /
                        static_cast<double>(std::max<std::size_t>(scenarios_, 1));
     drawn.push_back(node("path", {{"class", "any"}, {"d", fmt::format("M{:.1f} 0V12", any)}}));
@@ -278,69 +344,22 @@ Markup Leaderboard::success_cell(std::size_t row) const {
 }
 
 Markup Leaderboard::curve_cell(std::size_t row) const {
-  constexpr double kLeft = 26, kRight = 176, kTop = 12, kBottom = 48;
-  const std::vector<CrossTable>& tables = input_.tables[curve_];
-  const CrossTable* own = nullptr;
   std::vector<Markup> drawn = {
       node("path", {{"class", "grid"}, {"d", "M26 12H176M26 48H176"}}),
       node("text", {{"x", "22"}, {"y", "16"}, {"text-anchor", "end"}}, {"100"}),
       node("text", {{"x", "22"}, {"y", "52"}, {"text-anchor", "end"}}, {"0"})};
-  const auto x_of = [&](const CrossTable& table, std::size_t bin) {
-    return kLeft + (static_cast<double>(bin) + 0.5) * (kRight - kLeft) /
-                       static_cast<double>(table.rows.size());
-  };
-  const auto y_of = [&](double rate) { return kBottom - rate * (kBottom - kTop); };
-  const auto line_of = [&](const CrossTable& table, std::size_t column) {
-    std::string points;
-    for (std::size_t bin = 0; bin < table.rows.size(); ++bin)
-      if (const auto& rate = table.rows[bin].cells[column].estimate)
-        points += (points.empty() ? "" : " ") + point(x_of(table, bin), y_of(*rate));
-    return points;
-  };
-  for (const CrossTable& table : tables) {
+  const CrossTable* own = nullptr;
+  for (const CrossTable& table : input_.tables[curve_]) {
     if (table.method == name(row)) own = &table;
-    const bool is_shown = rows_.size() <= kOtherCurves ? table.method != name(row)
+    const bool is_drawn = rows_.size() <= kOtherCurves ? table.method != name(row)
                                                        : table.method == name(0) && row > 0;
-    if (is_shown)
-      drawn.push_back(
-          node("polyline",
-               {{"class", "other"}, {"points", line_of(table, column_of_success(table.columns))}}));
+    if (is_drawn) drawn.push_back(curve_of(table, "other"));
   }
   if (own == nullptr) return tag("td", {"–"});
-  const std::size_t column = column_of_success(own->columns);
-  const std::optional<Trend>& trend = own->trends[column];
+  const std::optional<Trend>& trend = own->trends[column_of_success(own->columns)];
   const bool shown = is_shown(trend, own->confidence);
-  std::string label = "success by " + own->descriptor.name + ":";
-  drawn.push_back(node(
-      "polyline", {{"class", shown ? "own" : "own unsure"}, {"points", line_of(*own, column)}}));
-  for (std::size_t bin = 0; bin < own->rows.size(); ++bin) {
-    const CrossRow& line = own->rows[bin];
-    const Cell& cell = line.cells[column];
-    const std::string x = fmt::format("{:.1f}", x_of(*own, bin));
-    if (bin > 0 && line.bin.low)
-      drawn.push_back(
-          node("text",
-               {{"x", fmt::format("{:.1f}", (x_of(*own, bin) + x_of(*own, bin - 1)) / 2)},
-                {"y", "62"},
-                {"text-anchor", "middle"}},
-               {format_number(*line.bin.low)}));
-    if (!cell.estimate) continue;
-    label += " " + line.bin.label() + " " + percent(*cell.estimate) + " %;";
-    if (cell.interval)
-      drawn.push_back(
-          node("path", {{"class", "error"},
-                        {"d", fmt::format("M{} {:.1f}V{:.1f}", x, y_of(cell.interval->high),
-                                          y_of(cell.interval->low))}}));
-    drawn.push_back(node(
-        "circle", {{"cx", x}, {"cy", fmt::format("{:.1f}", y_of(*cell.estimate))}, {"r", "3"}}));
-    const double below = *cell.estimate > 0.5 ? 13 : -6;
-    drawn.push_back(node("text",
-                         {{"class", "value"},
-                          {"x", x},
-                          {"y", fmt::format("{:.1f}", y_of(*cell.estimate) + below)},
-                          {"text-anchor", "middle"}},
-                         {percent(*cell.estimate)}));
-  }
+  drawn.push_back(curve_of(*own, shown ? "own" : "own unsure"));
+  const std::string label = add_points(*own, drawn);
   const Markup caption =
       shown ? tag("span",
                   {tag("b", {trend->test.z > 0 ? "rises" : "falls"}),
@@ -357,7 +376,9 @@ Markup Leaderboard::why_cell(std::size_t row) const {
   const MethodOverview& entry = rows_[row];
   const std::size_t method = index_of_method(input_.runs, name(row));
   std::vector<Markup> text;
-  if (entry.failed == 0) {
+  if (entry.standing.method.outcomes.count(kUnknownOutcome) > 0) {
+    text.push_back("How its runs end is not recorded.");
+  } else if (entry.failed == 0) {
     text.push_back("No failure in these runs.");
   } else {
     text.push_back(tag("b", {count_text(entry.failed, "failure")}));
@@ -411,17 +432,25 @@ Markup Leaderboard::head() const {
   };
   std::vector<Markup> cells;
   if (rows_.size() > 1) cells.push_back(column("Rank", ""));
+  const bool same = std::all_of(common_.begin(), common_.end(), [this](const CommonScenarios& one) {
+    return one.scenarios == common_[0].scenarios;
+  });
+  const std::string where = rows_.size() > 1 ? "where all succeed: " : "where it succeeds: ";
   std::string on = common_.empty() ? ""
-                                   : "on the " + std::to_string(common_[0].scenarios) +
-                                         " scenarios that all solve: ";
-  for (std::size_t i = 0; i < common_.size(); ++i)
-    on += (i > 0 ? ", " : "") + common_[i].column.info.id;
+                   : same ? "on the " + count_text(common_[0].scenarios, "scenario") + " " + where
+                          : where;
+  for (std::size_t i = 0; i < common_.size(); ++i) {
+    on += (i > 0 ? ", " : "") +
+          std::string(states_median(common_[i].column.info) ? "median " : "") +
+          common_[i].column.info.id;
+    if (!same) on += " (" + count_text(common_[i].scenarios, "scenario") + ")";
+  }
   cells.push_back(column("Method", on));
   cells.push_back(column(
       "How good, how sure?",
       "success with its " + percent_text(input_.options.analysis.confidence) +
           " % interval; outcomes of the runs" +
-          (rows_.size() > 1
+          (knows_outcomes_ && rows_.size() > 1
                ? fmt::format("; dashed: solved by any of the {}, {} %", rows_.size(),
                              percent(static_cast<double>(solved_by_any_) /
                                      static_cast<double>(std::max<std::size_t>(scenarios_, 1))))

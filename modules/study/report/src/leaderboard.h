@@ -31,13 +31,14 @@ class Leaderboard {
   const CommonFacts& facts_;
   const std::vector<MethodOverview>& rows_;
   std::size_t solved_by_any_ = 0, scenarios_ = 0;
-  std::size_t curve_ = 0;  ///< index of the cross tables whose trends in success are strongest
+  bool knows_outcomes_ = true;  ///< of all runs
+  std::size_t curve_ = 0;       ///< index of the cross tables whose trends in success are strongest
   bool has_curve_ = false;
   std::vector<CommonScenarios> common_;
 
   const std::string& name(std::size_t row) const { return rows_[row].standing.method.method; }
   std::string color(std::size_t row) const;
-  std::string runs_text(std::size_t row) const;
+  std::string result_text(std::size_t row, const std::string& verb, const std::string& of) const;
   void count_solved();
   void choose_curve();
   const PairedComparison* open_pair() const;

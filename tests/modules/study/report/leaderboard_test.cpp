@@ -104,6 +104,32 @@ TEST_F(FirstScreen, FoldsTheRowsOfManyMethods) {
   EXPECT_GT(page.find("m-m106"), page.find("<details>"));
 }
 
+TEST_F(FirstScreen, SaysNothingOfGoalsWhereOutcomesAreUnknown) {
+  const auto page_of = [this](const std::string& text) {
+    write_imported(columns_from_csv(text, "x.csv"), results_path());
+    ResultTable runs = read_results(results_path());
+    sort_rows(runs);
+    write_report(results_path(), runs, report_options(runs), report_folder().string());
+    return read("index.html");
+  };
+  // Mean successes over worlds, as tables of papers have them.
+  const std::string page = page_of("method,world,success\na,1,0.9\na,2,0.8\nb,1,0.5\nb,2,0.6\n");
+  EXPECT_EQ(answer(page).substr(0, 36), "a leads with a mean success of 0.85,");
+  for (const char* text : {"reaches the goal", "dashed", "No failure", "0 failures"})
+    EXPECT_EQ(count(page, text), 0u) << text;
+  EXPECT_EQ(count(page, "How its runs end is not recorded."), 2u);
+  // Times are those of common scenarios, each with its own number of them.
+  const std::string times = page_of(
+      "method,world,success,time_to_goal,optimality\na,1,1,10,0.9\na,2,1,20,NA\na,3,1,90,1\n"
+      "b,1,1,30,0.8\nb,2,1,50,0.7\nb,3,0,NA,NA\n");
+  EXPECT_EQ(
+      count(times,
+            "where all succeed: median time_to_goal (2 scenarios), median optimality (1 scenario)"),
+      1u)
+      << times;
+  EXPECT_EQ(count(times, "<b>15.0</b>"), 1u) << "of 10 s and 20 s";
+}
+
 TEST_F(FirstScreen, EscapesNames) {
   const std::string page = screen_of({{"<script>x", 3}, {"\"&", 2}}, 4);
   EXPECT_EQ(count(page, "<script>x"), 0u);

@@ -132,6 +132,7 @@ TEST_F(PageMeasures, ArrowKeysMoveBetweenTheLinksOfATableAndOutcomesHavePatterns
   const nlohmann::json found = probe({"index.html"}, 1280, R"js(
     onload = () => setTimeout(() => {
       const page = frames()[0], view = page.defaultView, table = page.querySelector("table[data-keys]");
+      page.querySelectorAll("details.fold").forEach((section) => section.unfold());
       const press = (key) => {
         page.activeElement.dispatchEvent(new view.KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
         return page.activeElement.textContent;

@@ -33,8 +33,11 @@ std::vector<bool> common_of(const ResultTable& table, const ValueColumn& values)
   return complete;
 }
 
-CommonScenarios make_common(const ResultTable& table, const Column& column,
-                            const ValueColumn& values, const AnalysisOptions& options) {
+}  // namespace
+
+CommonScenarios make_common_scenarios(const ResultTable& table, const Column& column,
+                                      const AnalysisOptions& options) {
+  const ValueColumn& values = *find_metric(table, column.info.id);
   const std::vector<bool> common = common_of(table, values);
   CommonScenarios made;
   made.column = column;
@@ -48,17 +51,15 @@ CommonScenarios make_common(const ResultTable& table, const Column& column,
   return made;
 }
 
-}  // namespace
-
 std::vector<CommonScenarios> build_common_scenarios(const ResultTable& table,
                                                     const std::vector<std::string>& metrics,
                                                     const AnalysisOptions& options) {
   std::vector<CommonScenarios> all;
   if (table.methods.size() < 2 || metrics.empty()) return all;
   for (const Column& column : resolve_columns(table, metrics)) {
-    const ValueColumn& values = *find_metric(table, column.info.id);
-    if (column.wall_clock || !has_survivors_only(table, values)) continue;
-    all.push_back(make_common(table, column, values, options));
+    if (column.wall_clock || !has_survivors_only(table, *find_metric(table, column.info.id)))
+      continue;
+    all.push_back(make_common_scenarios(table, column, options));
   }
   return all;
 }

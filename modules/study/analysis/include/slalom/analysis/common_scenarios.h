@@ -17,6 +17,10 @@ struct CommonScenarios {
   std::vector<std::vector<std::size_t>> runs;  ///< parallel: those of the cell
 };
 
+/// Makes those of a metric of the table.
+CommonScenarios make_common_scenarios(const ResultTable& table, const Column& column,
+                                      const AnalysisOptions& options);
+
 /// Finds the common scenarios of the metrics of which a method has values of its survivors only
 /// (is_survivors_only()), except measured times; none with a single method. Throws Error (Usage)
 /// for an unknown metric.
