@@ -2,10 +2,10 @@
 #include "show.h"
 
 #include <slalom/analysis/cell_text.h>
+#include <slalom/core/error.h>
 #include <slalom/core/math.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
-#include <slalom/io/imported_table.h>
 #include <slalom/references/reference.h>
 #include <slalom/results/recorded_ini.h>
 #include <slalom/results/repeatability.h>
@@ -87,38 +87,58 @@ std::string meters_between(const mrpt::math::TPoint2D& a, const mrpt::math::TPoi
   return format_fixed(math::hypot(a.x - b.x, a.y - b.y), 2) + " m";
 }
 
+/// Knowledge of a way to the goal. References are those of a disc that fits into the robot, or
+/// of the robot if a planner for it has found its path.
+std::string way_text(const Scenario& scenario, const References& references,
+                     const RobotModel& robot) {
+  if (!references.unsolvable_reason().empty()) return "no: " + references.unsolvable_reason();
+  const auto& shortest = references.shortest;
+  if (!shortest || !std::isfinite(shortest->certificate.upper_bound)) return "not known";
+  const std::string path = "a path of " + format_fixed(shortest->length, 2) + " m";
+  const bool is_disc = robot.shape().is_disc() && robot.min_turning_radius == 0;
+  if (!is_disc && shortest->planner == kExactPlanner)
+    return "not known: a disc that fits into the robot has " + path;
+  const bool stands_still = scenario.movers().empty() && scenario.people().empty();
+  const bool arrives =
+      references.arrival && std::isfinite(references.arrival->certificate.upper_bound);
+  return (stands_still || arrives ? "yes: " : "past static obstacles: ") + path + " exists";
+}
+
 /// Whether a failed run could have succeeded, by which way, and where it ended.
 std::string failure_text(const ResultFile& file, const RunRecord& run) {
-  if (!is_failure(run.outcome) || !file.has_scenario(run.scenario_hash)) return "";
   const Scenario scenario = file.read_scenario(run.scenario_hash);
   const References references = file.read_references(run.scenario_hash);
   const std::vector<Sample> samples = file.read_trajectory(run).samples;
+  const IniFile ini = recorded_ini(file.read_manifest(), file.path());
+  std::string way = way_text(scenario, references, read_robot_model(ini)), end;
   const mrpt::math::TPoint2D goal(scenario.goal().x, scenario.goal().y);
-  std::string way = references.unsolvable_reason().empty()
-                        ? "not known"
-                        : "no: " + references.unsolvable_reason();
-  std::string end;
+  mrpt::math::TPoint2D at;
   if (!samples.empty()) {
-    const mrpt::math::TPoint2D at(samples.back().pose.x, samples.back().pose.y);
+    at = {samples.back().pose.x, samples.back().pose.y};
     end = place_text(at) + ", " + meters_between(at, goal) + " from the goal";
   }
-  const auto& shortest = references.shortest;
-  if (shortest && std::isfinite(shortest->certificate.upper_bound)) {
-    way = "yes: a path of " + format_fixed(shortest->length, 2) + " m exists";
-    const bool wide = references.safest && !references.safest->path.empty();
-    const Path& path = wide ? references.safest->path : shortest->path;
-    if (!path.empty()) {
-      const IniFile ini = recorded_ini(file.read_manifest(), file.path());
-      const World world(scenario, read_options<SimulationOptions>(ini, "simulation").resolution);
-      const mrpt::math::TPoint2D narrowest = narrowest_place(world, path);
-      way += std::string("; the ") + (wide ? "widest" : "shortest") + " way is narrowest, " +
-             format_fixed(2 * bottleneck_of(world, path), 2) + " m, at " + place_text(narrowest);
-      if (!samples.empty())
-        end += ", " + meters_between({samples.back().pose.x, samples.back().pose.y}, narrowest) +
-               " from the narrowest place";
-    }
+  const bool wide = references.safest && !references.safest->path.empty();
+  const Path path = wide                  ? references.safest->path
+                    : references.shortest ? references.shortest->path
+                                          : Path();
+  if (!path.empty()) {
+    const World world(scenario, read_options<SimulationOptions>(ini, "simulation").resolution);
+    const mrpt::math::TPoint2D narrowest = narrowest_place(world, path);
+    way += std::string("; the ") + (wide ? "widest" : "shortest") + " way is narrowest, " +
+           format_fixed(2 * bottleneck_of(world, path), 2) + " m, at " + place_text(narrowest);
+    if (!end.empty()) end += ", " + meters_between(at, narrowest) + " from the narrowest place";
   }
   return line("could it be solved", way) + (end.empty() ? "" : line("ended at", end));
+}
+
+/// The same; of a damaged scenario or trajectory it says why it is not known.
+std::string failure_text_or_reason(const ResultFile& file, const RunRecord& run) {
+  if (!is_failure(run.outcome) || !file.has_scenario(run.scenario_hash)) return "";
+  try {
+    return failure_text(file, run);
+  } catch (const Error& error) {
+    return line("could it be solved", "NA (" + std::string(error.what()) + ")");
+  }
 }
 
 }  // namespace
@@ -132,7 +152,7 @@ std::string run_text(const ResultFile& file, const RunRecord& run) {
   if (!run.outcome_detail.empty()) text += line("detail", run.outcome_detail);
   text += line("successes in the scenario", successes_text(file, run));
   const Manifest manifest = file.read_manifest();
-  if (!is_imported(manifest)) text += failure_text(file, run);
+  if (!is_imported(manifest)) text += failure_text_or_reason(file, run);
   text += line("trajectory", run.trajectory_hash);
   const Repeatability measured = repeatability_of(manifest)[run.method];
   if (!measured.is_repeatable()) text += line("of the method", to_string(measured));
