@@ -128,7 +128,7 @@ void report_verb(const Arguments& arguments) {
       write_imported(table, paths.back());
     }
     results.push_back(read_results(paths.back()));
-    sort_rows(results.back());  // rows of a table have their own order
+    if (is_imported(results.back().manifest)) sort_rows(results.back());  // they have their order
     warn_of_missing(paths.back(), results.back());
   }
   const std::filesystem::path output = arguments.output;
@@ -176,8 +176,7 @@ void define_report(CLI::App& app, Arguments& arguments) {
           "results", arguments.all_results,
           "A result file (.results), a folder with the shards of a campaign, a table (.csv), or a "
           "folder of slalom-falsify, whose clusters of failures are reported as well; several, "
-          "such "
-          "as those of successive versions: a report of each, and what changed")
+          "such as those of successive versions: a report of each, and what changed")
       ->required();
   add_table_options(*verb, arguments);
   add_key_options(*verb, arguments.table, false);

@@ -320,6 +320,28 @@ TEST_F(Analyze, AnImportedTableHasTheNumbersOfTheTable) {
     expect_failure(command + " foreign.results", 3, {none});
 }
 
+TEST_F(Analyze, ImportedTablesOfTwoVersionsCompareAsTheTables) {
+  // No collision is known, and none is said to be absent.
+  const std::string head = "method,world,outcome,time\n";
+  write("one.csv", head + "a,1,success,3\na,2,timeout,9\nb,1,success,4\nb,2,success,5\n");
+  write("two.csv", head + "a,1,success,3\na,2,timeout,9\nb,1,success,4\nb,2,success,6\n");
+  for (const std::string name : {"one", "two"})
+    ASSERT_EQ(run("slalom-analyze import " + name + ".csv -o " + name + ".results").status, 0);
+  EXPECT_EQ(run("slalom-analyze summary one.results").out,
+            run("slalom-analyze summary one.csv").out);
+  for (const std::string verb : {"compare", "history"}) {
+    const std::string command = "slalom-analyze " + verb + " --metric time --json ";
+    std::string there = run(command + "one.csv two.csv").out;
+    for (const std::string name : {"one", "two"})
+      for (std::size_t at = 0; (at = there.find(name + ".csv", at)) != std::string::npos;)
+        there.replace(at, 7, name + ".results");
+    EXPECT_EQ(run(command + "one.results two.results").out, there);
+    EXPECT_EQ(run("slalom-analyze " + verb + " --metric time one.results two.results")
+                  .out.find("campaigns differ"),
+              std::string::npos);
+  }
+}
+
 TEST_F(Analyze, ImportNamesWhatItCannotUse) {
   write("foreign.csv", "method,time\na,1\n");
   expect_failure("slalom-analyze import runs.results -o x.results", 2,

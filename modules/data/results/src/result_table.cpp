@@ -213,6 +213,14 @@ std::string note_on_time(const ResultTable& table) {
   return lack_of_time_note(lacks, table.scenario_hashes.size());
 }
 
+bool is_imported(const Manifest& manifest) {
+  return manifest.count(kImportedKey) > 0;
+}
+
+bool is_foreign(const ResultTable& table) {
+  return table.manifest.empty() || is_imported(table.manifest);
+}
+
 Value success_of(const std::string& outcome) {
   if (is_inconclusive(outcome)) return Value::na(outcome);
   return Value::of(outcome == "success" ? 1 : 0);

@@ -4,7 +4,6 @@
 
 #include <slalom/core/error.h>
 #include <slalom/io/campaign_identity.h>
-#include <slalom/io/imported_table.h>
 #include <slalom/io/merge_results.h>
 
 #include <algorithm>

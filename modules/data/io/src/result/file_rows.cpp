@@ -8,7 +8,6 @@
 #include <slalom/core/enum_names.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
-#include <slalom/io/imported_table.h>
 #include <slalom/io/result_file.h>
 #include <slalom/results/lack_of_time.h>
 #include <slalom/trajectory/trajectory.h>

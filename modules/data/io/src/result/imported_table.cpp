@@ -17,7 +17,8 @@
 namespace slalom {
 namespace {
 
-constexpr const char* kUnconditional = "unconditional ";
+/// Begins with a blank, which no name of a column does.
+constexpr const char* kUnconditional = " unconditional ";
 
 /// The columns of SQLite's tables are at most 2000.
 constexpr std::size_t kMaxColumns = 1900;
@@ -25,7 +26,7 @@ constexpr std::size_t kMaxColumns = 1900;
 Manifest manifest_of(const ResultTable& table) {
   Manifest manifest = table.manifest;
   manifest[kImportedKey] = manifest["campaign"] = table.source;
-  if (!table.notes.empty()) manifest["import_notes"] = join(table.notes, "\n");
+  if (!table.notes.empty()) manifest["imported_notes"] = join(table.notes, "\n");
   return manifest;
 }
 
@@ -89,10 +90,6 @@ void write_imported(const ResultTable& table, const std::string& path) {
   }
   file.commit();
   temporary.publish();
-}
-
-bool is_imported(const Manifest& manifest) {
-  return manifest.count(kImportedKey) > 0;
 }
 
 void expect_scenarios(const Manifest& manifest, const std::string& path) {

@@ -33,7 +33,8 @@ std::map<std::string, std::string> settings(const Manifest& manifest) {
 bool cannot_affect_runs(const std::string& key) {
   const auto begins = [&key](const char* prefix) { return starts_with(key, prefix); };
   return key == "seed" || begins("campaign") || begins("analysis.") || begins("record.") ||
-         begins(kRepeatedPrefix) || begins("scenarios.") || begins("generator.");
+         begins(kRepeatedPrefix) || begins("imported_") || begins("scenarios.") ||
+         begins("generator.");
 }
 
 std::string value_or_default(const std::map<std::string, std::string>& flat,

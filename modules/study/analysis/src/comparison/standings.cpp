@@ -2,6 +2,7 @@
 #include <slalom/analysis/standings.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace slalom {
@@ -62,12 +63,6 @@ const PairedComparison* success_comparison(const std::vector<PairedComparison>& 
   return nullptr;
 }
 
-bool is_better(const std::vector<PairedComparison>& family, const std::string& one,
-               const std::string& other) {
-  const PairedComparison* c = success_comparison(family, one, other);
-  return c != nullptr && c->verdict == (c->b == one ? Verdict::Better : Verdict::Worse);
-}
-
 std::vector<Standing> build_standings(const ResultTable& table,
                                       const std::vector<PairedComparison>& family,
                                       const AnalysisOptions& options) {
@@ -82,13 +77,18 @@ std::vector<Standing> build_standings(const ResultTable& table,
   std::vector<Group> groups(1);
   for (std::size_t i = 0; i < n; ++i) groups[0].insert(i);
   for (Standing& standing : standings) standing.worst = n;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      if (!is_better(family, standings[i].method.method, standings[j].method.method)) continue;
-      --standings[i].worst;
-      ++standings[j].best;
-      separate(i, j, groups);
-    }
+  std::map<std::string, std::size_t> row_of;
+  for (std::size_t i = 0; i < n; ++i) row_of[standings[i].method.method] = i;
+  for (const PairedComparison& c : family) {
+    const auto a = row_of.find(c.a), b = row_of.find(c.b);
+    const bool decided = c.verdict == Verdict::Better || c.verdict == Verdict::Worse;
+    if (c.column.info.id != success_info().id || !decided || a == row_of.end() || b == row_of.end())
+      continue;
+    const bool b_wins = c.verdict == Verdict::Better;
+    --standings[b_wins ? b->second : a->second].worst;
+    ++standings[b_wins ? a->second : b->second].best;
+    separate(a->second, b->second, groups);
+  }
   std::sort(groups.begin(), groups.end());  // by their first methods
   for (std::size_t group = 0; group < groups.size(); ++group)
     for (const std::size_t i : groups[group]) standings[i].groups.push_back(group);

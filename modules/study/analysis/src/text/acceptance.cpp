@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 namespace slalom {
 namespace {
@@ -42,7 +41,7 @@ std::string reliability_text(std::size_t events, std::size_t runs, const std::st
       distributions::binomial_lower_bound(good, static_cast<double>(runs), 1 - confidence);
   std::string text = std::to_string(runs - events) + " of " + count_text(runs, "run") + " " +
                      without + ": at least " + format_fixed(std::floor(100 * bound) / 100, 2) +
-                     " with " + percent_text(confidence) + " % confidence";
+                     " with " + percent_text(confidence) + " % confidence, if they are independent";
   const std::size_t needed = runs_for_reliability(events, confidence);
   if (needed > runs)
     text += "; " + std::to_string(needed - runs) + " more " + without + " would show " +
@@ -99,17 +98,18 @@ std::vector<std::string> sentences_of(const ResultTable& table, std::size_t meth
   const std::size_t collisions = outcomes["collision"];
   sentences.push_back(reliability_text(collisions, runs.size(), "without collision", confidence));
   constexpr double kMetersPerKm = 1000, kSecondsPerHour = 3600;
-  const auto add_rate = [&](const ValueColumn* column, double scale, const std::string& unit) {
+  const auto add_rate = [&](const ValueColumn* column, double scale, const std::string& unit,
+                            const std::string& of_column) {
     double sum = 0;
     for (const std::size_t run : runs) sum += column == nullptr ? 0 : column->number(run) / scale;
     if (sum > 0)
       sentences.push_back(rate_text(collisions, sum, unit, confidence) + ", by " +
-                          column->info().id);
+                          column->info().id + " in " + of_column);
   };
   add_rate(complete_column(table, {"path_length", "distance", "traveled"}, runs), kMetersPerKm,
-           "km");
-  add_rate(complete_column(table, {"duration", "time", "time_to_goal"}, runs), kSecondsPerHour,
-           "h");
+           "km", "m");
+  add_rate(complete_column(table, {"duration", "time", "time_to_goal"}, runs), kSecondsPerHour, "h",
+           "s");
   return sentences;
 }
 
@@ -118,7 +118,7 @@ std::vector<std::string> sentences_of(const ResultTable& table, std::size_t meth
 std::vector<std::string> acceptance_sentences(const ResultTable& table, const std::string& method,
                                               double confidence) {
   std::vector<std::string> all;
-  if (table.manifest.count("campaign.ini") > 0) return all;
+  if (!is_foreign(table)) return all;
   for (std::size_t i = 0; i < table.methods.size(); ++i) {
     if (!method.empty() && table.methods[i] != method) continue;
     for (const std::string& sentence : sentences_of(table, i, confidence))

@@ -77,7 +77,7 @@ std::size_t count_scenarios(const std::string& method, const ResultTable& table)
 bool never_collides(const MethodSummary& method, const ResultTable& table) {
   for (const char* end : {"collision", "failure", kUnknownOutcome})
     if (method.outcomes.count(end) > 0) return false;
-  return !table.manifest.empty() || contains(table.outcomes, std::string("collision"));
+  return !is_foreign(table) || contains(table.outcomes, std::string("collision"));
 }
 
 /// "it gets stuck in 20 %, collides in none (at most 4.2 %)"; empty if no run is known to fail.

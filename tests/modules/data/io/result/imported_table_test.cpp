@@ -20,8 +20,8 @@ namespace {
 
 /// Ids that SQLite could mistake for each other, or for more than a name.
 const char* const kIds[] = {
-    "time", "Time", "TIME",   "path length",     "%74ime", "a\"); DROP TABLE runs",
-    "",     "é",    "m_time", "unconditionally", "1"};
+    "time", "Time", "TIME",   "path length",        "%74ime", "a\"); DROP TABLE runs",
+    "",     "é",    "m_time", "unconditional time", "1"};
 
 class ImportedTable : public testing::Test {
  protected:

@@ -33,13 +33,16 @@ TEST(Acceptance, OfTrialsWithoutAFailureHasTheExactBoundAndTheTrialsThatAreMissi
   const auto sentences = said(real_trials(20, 0));
   ASSERT_EQ(sentences.size(), 4u);
   EXPECT_EQ(sentences[0],
-            "a: 20 of 20 runs with success: at least 0.86 with 95 % confidence; 39 more with "
+            "a: 20 of 20 runs with success: at least 0.86 with 95 % confidence, if they are "
+            "independent; 39 more with "
             "success would show 0.95");
   EXPECT_EQ(sentences[1],
-            "a: 20 of 20 runs without collision: at least 0.86 with 95 % confidence; 39 more "
+            "a: 20 of 20 runs without collision: at least 0.86 with 95 % confidence, if they are "
+            "independent; 39 more "
             "without collision would show 0.95");
   EXPECT_EQ(said(real_trials(59, 0))[1],
-            "a: 59 of 59 runs without collision: at least 0.95 with 95 % confidence");
+            "a: 59 of 59 runs without collision: at least 0.95 with 95 % confidence, if they are "
+            "independent");
 }
 
 TEST(Acceptance, CountsFailures) {
@@ -60,11 +63,11 @@ TEST(Acceptance, CountsFailures) {
 TEST(Acceptance, StatesCollisionsPerKmAndHour) {
   // 20 runs: 1 km, 1/3 h. Without an event the upper end of Garwood's interval is -ln(0.025).
   const auto none = said(real_trials(20, 0));
-  EXPECT_EQ(none[2], "a: 0 collisions in 1.000 km: 0.00 per km [0.00, 3.69], by path_length");
-  EXPECT_EQ(none[3], "a: 0 collisions in 0.333 h: 0.00 per h [0.00, 11.07], by time");
+  EXPECT_EQ(none[2], "a: 0 collisions in 1.000 km: 0.00 per km [0.00, 3.69], by path_length in m");
+  EXPECT_EQ(none[3], "a: 0 collisions in 0.333 h: 0.00 per h [0.00, 11.07], by time in s");
   // Three events: 0.6187 to 8.7673 (Garwood 1936, table).
   EXPECT_EQ(said(real_trials(20, 3))[2],
-            "a: 3 collisions in 1.000 km: 3.00 per km [0.62, 8.77], by path_length");
+            "a: 3 collisions in 1.000 km: 3.00 per km [0.62, 8.77], by path_length in m");
 }
 
 TEST(Acceptance, SaysNothingThatTheTableDoesNotTell) {
@@ -79,7 +82,7 @@ TEST(Acceptance, SaysNothingThatTheTableDoesNotTell) {
   ASSERT_EQ(partly.size(), 2u);
   EXPECT_EQ(partly[1].find("km"), std::string::npos);
   ResultTable campaign = real_trials(20, 0);
-  campaign.manifest["campaign.ini"] = "";
+  campaign.manifest["campaign"] = "small";
   EXPECT_TRUE(said(campaign).empty()) << "scenarios are no independent trials of one task";
 }
 

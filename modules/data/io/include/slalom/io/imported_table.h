@@ -7,9 +7,6 @@
 
 namespace slalom {
 
-/// The key of a manifest with the files of a table that was imported.
-constexpr const char* kImportedKey = "imported_from";
-
 /// Writes the runs of a foreign table as a result file, from which read_results() reads the same
 /// table: its rows in their order, its columns under their names, outcomes of foreign tables, and
 /// the notes on how it was read. The file has no scenarios, trajectories, seeds and settings.
@@ -18,10 +15,7 @@ constexpr const char* kImportedKey = "imported_from";
 /// cannot be written.
 void write_imported(const ResultTable& table, const std::string& path);
 
-/// Whether a result file is one.
-bool is_imported(const Manifest& manifest);
-
-/// Throws Error (File) at `path` if it is one.
+/// Throws Error (File) at `path` if the manifest is that of one.
 void expect_scenarios(const Manifest& manifest, const std::string& path);
 
 }  // namespace slalom

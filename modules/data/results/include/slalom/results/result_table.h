@@ -92,6 +92,14 @@ struct ResultTable {
   std::size_t size() const { return scenario.size(); }
 };
 
+/// The key of a manifest with the files of a table that was imported.
+constexpr const char* kImportedKey = "imported_from";
+
+/// Whether a manifest is that of an imported table.
+bool is_imported(const Manifest& manifest);
+/// Whether the runs are of a foreign table, as it was read or imported.
+bool is_foreign(const ResultTable& table);
+
 /// Success by the outcome: 1 or 0; NA, with the outcome as reason, if that is unknown or
 /// inconclusive (such as an unsolvable scenario).
 Value success_of(const std::string& outcome);

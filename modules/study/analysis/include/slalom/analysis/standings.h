@@ -34,8 +34,4 @@ std::vector<Standing> build_standings(const ResultTable& table,
 const PairedComparison* success_comparison(const std::vector<PairedComparison>& family,
                                            const std::string& one, const std::string& other);
 
-/// Whether `one` is shown to be better than `other` in success.
-bool is_better(const std::vector<PairedComparison>& family, const std::string& one,
-               const std::string& other);
-
 }  // namespace slalom
