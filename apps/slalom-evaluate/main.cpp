@@ -104,8 +104,10 @@ void write_tables_and_report(const Arguments& arguments, const std::string& resu
   warn_of_damage(results_path, runs.damaged);
   mark_privileged(runs);
   ReportOptions options = report_options(runs);
-  options.config = arguments.campaign.config;
-  options.output = arguments.output;
+  options.campaign = {arguments.campaign.config};
+  for (const std::string& setting : arguments.campaign.overrides)
+    options.campaign.insert(options.campaign.end(), {"--set", setting});
+  options.output = (std::filesystem::path(arguments.output) / "").parent_path().string();
   const std::string text =
       render_tables_text(runs, options.rows, options.columns, options.analysis.confidence);
   write_file_atomically(arguments.output + "/tables.txt", text);

@@ -54,12 +54,20 @@ TEST_F(Tune, AndTheOtherCommandsThatAReportProposesRunAsTheyAreTyped) {
   ini.replace(ini.find("methods = planted"), 17, "methods = planted, zgo");
   ini.replace(ini.find("generator = random"), 18, "generator = random\ncount = 12");
   write("two.ini", ini + "[method.zgo]\nadapter = library\nplugin = libslalom_go_to_goal.so\n");
-  ASSERT_EQ(run("slalom-evaluate two.ini --set method.planted.a=0.7 -o out --quiet").status, 0);
+  std::filesystem::rename(folder_ / "two.ini", folder_ / "two methods.ini");
+  ASSERT_EQ(
+      run("slalom-evaluate 'two methods.ini' --set method.planted.a=0.7 -o out/ --quiet").status,
+      0);
   const std::string page = read("out/report/index.html");
   const std::regex pattern("<code class=\"command\">([^<]*)</code>");
   std::vector<std::string> programs;
   for (std::sregex_iterator at(page.begin(), page.end(), pattern), end; at != end; ++at) {
-    const std::string command = (*at)[1];
+    std::string command = (*at)[1];
+    for (std::size_t quote; (quote = command.find("&#39;")) != std::string::npos;)
+      command.replace(quote, 5, "'");
+    ASSERT_EQ(command.find('&'), std::string::npos) << "of HTML: " << command;
+    EXPECT_NE(command.find(" 'two methods.ini' --set method.planted.a=0.7 "), std::string::npos);
+    EXPECT_NE(command.find(" -o out-"), std::string::npos) << command;
     const ProgramResult result = run(command);
     EXPECT_EQ(result.status, 0) << command << "\n" << result.err;
     programs.push_back(command.substr(0, command.find(' ')));

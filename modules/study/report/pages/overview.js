@@ -50,8 +50,8 @@ function overviewCard({ method, text, failures, in_common }) {
 }
 
 function overviewSection(method) {
-  const entries = report.overview.filter((one) => method === null || one.method === method);
-  const headlines = report.headlines.filter((one) => method === null || one.method === method)
+  const entries = report.overview.filter((one) => one.method === method);
+  const headlines = report.headlines.filter((one) => one.method === method)
     .map(({ text }) => html("p", { class: "headline" }, html("strong", {}, text + (text.endsWith("?") ? "" : "."))));
   if (entries.length === 0) return headlines.length === 0 ? null : headlines;
   loadScript("data/failures.js");

@@ -60,7 +60,7 @@ bool CommonFacts::holds(FailureFact fact, const ScenarioRuns& content, std::size
     case FailureFact::Wandering:
       return content.references.shortest &&
              path_length(trajectory) > 2 * content.references.shortest->length;
-    case FailureFact::InTheOpen:
+    case FailureFact::Apart:
       return motion == EndMotion::Stopped && clearance >= kOpenRadii * radius_;
     case FailureFact::AtObstacle:
       return motion == EndMotion::Stopped && clearance < kCloseRadii * radius_;
@@ -80,11 +80,11 @@ std::string CommonFacts::text_of(FailureFact fact) const {
     case FailureFact::Turning:
       return "turn in place at their end: does it see what it turns to?";
     case FailureFact::Wandering:
-      return "wander: more than twice the shortest path";
-    case FailureFact::InTheOpen:
-      return "stop in the open, " + meters(kOpenRadii) + " or more from every obstacle";
+      return "wander: more than twice the reference path";
+    case FailureFact::Apart:
+      return "stop " + meters(kOpenRadii) + " or more from every static obstacle";
     case FailureFact::AtObstacle:
-      return "stop at an obstacle, less than " + meters(kCloseRadii) + " away";
+      return "stop less than " + meters(kCloseRadii) + " from a static obstacle";
   }
   return "";
 }

@@ -12,7 +12,7 @@
 namespace slalom {
 
 /// Facts about a failed run; several may be true.
-enum class FailureFact { Turning, NearGoal, AtStart, Wandering, InTheOpen, AtObstacle };
+enum class FailureFact { Turning, NearGoal, AtStart, Wandering, Apart, AtObstacle };
 constexpr std::size_t kFailureFacts = 6;
 
 /// Counts what the failures of each method have in common. It describes, and tests nothing.

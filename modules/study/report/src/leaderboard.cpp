@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace slalom {
@@ -119,7 +120,7 @@ std::string add_points(const CrossTable& table, std::vector<Markup>& drawn) {
   return label;
 }
 
-/// A paired difference as that of `better` over the other side, with its interval.
+/// A paired difference as that of a method over the other side, with its interval.
 struct Advantage {
   double value;
   std::string text;  ///< "+0.11 [0.03, 0.21]"
@@ -144,7 +145,7 @@ bool is_decided(const PairedComparison& c) {
 std::string shell_word(const std::string& text) {
   const bool plain = !text.empty() && text.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_./@:+-") == std::string::npos;
+                                          "0123456789_./@:+=,-") == std::string::npos;
   if (plain) return text;
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
@@ -158,7 +159,12 @@ Markup command(const std::string& line) {
 }  // namespace
 
 Leaderboard::Leaderboard(const ReportInput& input, const CommonFacts& facts)
-    : input_(input), facts_(facts), rows_(input.overview) {
+    : input_(input),
+      facts_(facts),
+      rows_(input.overview),
+      pairs_(input.overview.size(),
+             std::vector<const PairedComparison*>(input.overview.size(), nullptr)) {
+  find_pairs();
   count_solved();
   choose_curve();
   std::vector<std::string> metrics;
@@ -167,6 +173,21 @@ Leaderboard::Leaderboard(const ReportInput& input, const CommonFacts& facts)
   if (rows_.empty() || metrics.empty()) return;
   for (const Column& column : resolve_columns(input.runs, metrics))
     common_.push_back(make_common_scenarios(input.runs, column, input.options.analysis));
+}
+
+void Leaderboard::find_pairs() {
+  std::map<std::string, std::size_t> row_of;
+  for (std::size_t row = 0; row < rows_.size(); ++row) row_of[name(row)] = row;
+  for (const PairedComparison& c : input_.comparisons) {
+    const auto a = row_of.find(c.a), b = row_of.find(c.b);
+    if (c.column.info.id != kSuccess || a == row_of.end() || b == row_of.end()) continue;
+    pairs_[a->second][b->second] = pairs_[b->second][a->second] = &c;
+  }
+}
+
+bool Leaderboard::beats(std::size_t row, std::size_t other) const {
+  const PairedComparison* c = pairs_[row][other];
+  return c != nullptr && is_decided(*c) && (c->verdict == Verdict::Better) == (c->b == name(row));
 }
 
 void Leaderboard::count_solved() {
@@ -205,40 +226,54 @@ std::string Leaderboard::color(std::size_t row) const {
   return method_color(index_of_method(input_.runs, name(row)));
 }
 
-/// `verb` "12 of 70 runs", or `of` "0.85" for a success that is no rate of runs.
-std::string Leaderboard::result_text(std::size_t row, const std::string& verb,
-                                     const std::string& of) const {
-  const Cell& cell = rows_[row].standing.method.cells[0];
+bool Leaderboard::counts_runs() const {
   const ValueColumn* values = find_metric(input_.runs, kSuccess);
-  if (values != nullptr && !values->info().is_rate())
-    return of + " " + format_fixed(*cell.estimate, 2);
+  return values == nullptr || values->info().is_rate();
+}
+
+std::string Leaderboard::runs_text(std::size_t row) const {
+  const Cell& cell = rows_[row].standing.method.cells[0];
   const auto successes =
       static_cast<std::size_t>(std::llround(*cell.estimate * static_cast<double>(cell.available)));
-  return verb + " " + std::to_string(successes) + " of " + count_text(cell.available, "run");
+  return std::to_string(successes) + " of " + count_text(cell.available, "run");
+}
+
+/// "a", or "a and 3 more"; requires one.
+std::string Leaderboard::names_text(const std::vector<std::size_t>& rows) const {
+  return name(rows[0]) +
+         (rows.size() > 1 ? " and " + std::to_string(rows.size() - 1) + " more" : "");
 }
 
 std::string Leaderboard::answer() const {
   if (rows_.empty()) return campaign_name(input_.runs.manifest);
   if (solved_by_any_ == 0 && knows_outcomes_)
     return "No method reaches the goal in any of " + count_text(input_.runs.size(), "run");
-  const std::string result = result_text(0, "reaches the goal in", "has a mean success of");
-  if (rows_.size() == 1) return name(0) + " " + result;
-  std::vector<std::size_t> tied;
-  for (std::size_t row = 1; row < rows_.size(); ++row)
-    if (!is_better(input_.comparisons, name(0), name(row))) tied.push_back(row);
-  if (tied.empty()) return name(0) + " is best: it " + result;
-  const std::string others =
-      tied.size() == 1 ? name(tied[0]) + " is"
-                       : name(tied[0]) + " and " + std::to_string(tied.size() - 1) + " more are";
-  return name(0) + " " + result_text(0, "leads with", "leads with a mean success of") + ", but " +
-         others + " not told apart from it";
+  const double rate = *rows_[0].standing.method.cells[0].estimate;
+  const std::string mean = "a mean success of " + format_fixed(rate, 2);
+  const std::string reaches = counts_runs() ? "reaches the goal in " + runs_text(0) : "has " + mean;
+  if (rows_.size() == 1) return name(0) + " " + reaches;
+  std::vector<std::size_t> equal, open, better;
+  for (std::size_t row = 1; row < rows_.size(); ++row) {
+    if (beats(0, row)) continue;
+    (beats(row, 0) ? better : open).push_back(row);
+    if (*rows_[row].standing.method.cells[0].estimate == rate) equal.push_back(row);
+  }
+  if (!better.empty())
+    return name(0) + " succeeds most often, " +
+           (counts_runs() ? "in " + runs_text(0) : "with " + mean) + ", but " + names_text(better) +
+           (better.size() == 1 ? " is" : " are") + " better in the scenarios of both";
+  if (!equal.empty())
+    return name(0) + (equal.size() > 1 ? ", " : " and ") + names_text(equal) +
+           " lead with a success of " + percent(rate) + " %: they are not told apart";
+  if (open.empty()) return name(0) + " is best: it " + reaches;
+  return name(0) + " leads with " + (counts_runs() ? runs_text(0) : mean) + ", but " +
+         names_text(open) + (open.size() == 1 ? " is" : " are") + " not told apart from it";
 }
 
 Markup Leaderboard::certainty() const {
   if (rows_.empty()) return {};
   std::vector<std::string> sentences;
-  const PairedComparison* c =
-      rows_.size() < 2 ? nullptr : success_comparison(input_.comparisons, name(0), name(1));
+  const PairedComparison* c = rows_.size() < 2 ? nullptr : pairs_[0][1];
   if (rows_.size() == 1 && rows_[0].standing.method.cells[0].interval)
     sentences.push_back("Its success rate is within " +
                         interval_of_percent(*rows_[0].standing.method.cells[0].interval) +
@@ -251,7 +286,7 @@ Markup Leaderboard::certainty() const {
         "It does better than " + name(1) + ", the second, in " + count_text(more, "scenario") +
         ", and worse in " + std::to_string(fewer) + ": " + advantage_of(*c, name(0)).text + ", " +
         p_text(c->adjusted_p) + ". The lead is " +
-        (is_decided(*c) ? (c->adjusted_p > 0.01 ? "shown, but narrowly." : "shown clearly.")
+        (beats(0, 1) ? (c->adjusted_p > 0.01 ? "shown, but narrowly." : "shown clearly.")
          : c->verdict == Verdict::Identical ? "none: their values are identical."
                                             : "not shown."));
   } else if (rows_.size() > 1) {
@@ -393,7 +428,7 @@ Markup Leaderboard::why_cell(std::size_t row) const {
     }
   }
   std::vector<Markup> parts = {tag("p", text)};
-  const bool has_pictures = rows_.size() <= kFullRows || row == 0;
+  const bool has_pictures = (rows_.size() <= kFullRows || row == 0) && !is_foreign(input_.runs);
   std::vector<Markup> figures;
   for (const NotableFailure& failure : entry.failures) {
     const std::size_t run = failure.run, scenario = input_.runs.scenario[run];
@@ -426,26 +461,27 @@ Markup Leaderboard::row(std::size_t index) const {
   return node("tr", {{"id", "m-" + name(index)}}, cells);
 }
 
+/// "on the 37 scenarios where all succeed: median time_to_goal, optimality".
+std::string Leaderboard::common_text() const {
+  if (common_.empty()) return "";
+  const bool same = std::all_of(common_.begin(), common_.end(), [this](const CommonScenarios& one) {
+    return one.scenarios == common_[0].scenarios;
+  });
+  std::vector<std::string> columns;
+  for (const CommonScenarios& common : common_)
+    columns.push_back((states_median(common.column.info) ? "median " : "") + common.column.info.id +
+                      (same ? "" : " (" + count_text(common.scenarios, "scenario") + ")"));
+  return (same ? "on the " + count_text(common_[0].scenarios, "scenario") + " " : "") +
+         (rows_.size() > 1 ? "where all succeed: " : "where it succeeds: ") + join(columns, ", ");
+}
+
 Markup Leaderboard::head() const {
   const auto column = [](const std::string& question, const std::string& note) {
     return node("th", {{"scope", "col"}}, {question, tag("small", {note})});
   };
   std::vector<Markup> cells;
   if (rows_.size() > 1) cells.push_back(column("Rank", ""));
-  const bool same = std::all_of(common_.begin(), common_.end(), [this](const CommonScenarios& one) {
-    return one.scenarios == common_[0].scenarios;
-  });
-  const std::string where = rows_.size() > 1 ? "where all succeed: " : "where it succeeds: ";
-  std::string on = common_.empty() ? ""
-                   : same ? "on the " + count_text(common_[0].scenarios, "scenario") + " " + where
-                          : where;
-  for (std::size_t i = 0; i < common_.size(); ++i) {
-    on += (i > 0 ? ", " : "") +
-          std::string(states_median(common_[i].column.info) ? "median " : "") +
-          common_[i].column.info.id;
-    if (!same) on += " (" + count_text(common_[i].scenarios, "scenario") + ")";
-  }
-  cells.push_back(column("Method", on));
+  cells.push_back(column("Method", common_text()));
   cells.push_back(column(
       "How good, how sure?",
       "success with its " + percent_text(input_.options.analysis.confidence) +
@@ -487,7 +523,7 @@ Markup Leaderboard::differences() const {
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     for (std::size_t j = i + 1; j < rows_.size(); ++j) {
-      const PairedComparison* c = success_comparison(input_.comparisons, name(i), name(j));
+      const PairedComparison* c = pairs_[i][j];
       if (c == nullptr || !c->difference) continue;
       ++pairs;
       if (!is_decided(*c)) {
@@ -495,9 +531,7 @@ Markup Leaderboard::differences() const {
         continue;
       }
       bool implied = false;
-      for (std::size_t k = i + 1; k < j; ++k)
-        implied = implied || (is_better(input_.comparisons, name(i), name(k)) &&
-                              is_better(input_.comparisons, name(k), name(j)));
+      for (std::size_t k = i + 1; k < j; ++k) implied = implied || (beats(i, k) && beats(k, j));
       if (!implied) shown.push_back(c);
     }
   if (pairs == 0) return {};
@@ -542,16 +576,23 @@ Markup Leaderboard::differences() const {
 const PairedComparison* Leaderboard::open_pair() const {
   for (std::size_t i = 0; i < rows_.size(); ++i)
     for (std::size_t j = i + 1; j < rows_.size(); ++j) {
-      const PairedComparison* c = success_comparison(input_.comparisons, name(i), name(j));
+      const PairedComparison* c = pairs_[i][j];
       if (c != nullptr && c->difference && !is_decided(*c) && !c->identical) return c;
     }
   return nullptr;
 }
 
+/// " my.ini --set robot.radius=0.3".
+std::string Leaderboard::campaign_words() const {
+  std::string words;
+  for (const std::string& word : input_.options.campaign) words += " " + shell_word(word);
+  return words;
+}
+
 Markup Leaderboard::more_scenarios() const {
   const PairedComparison* c = open_pair();
   const bool is_open = c != nullptr;
-  if (!is_open && rows_.size() > 1) c = success_comparison(input_.comparisons, name(0), name(1));
+  if (!is_open && rows_.size() > 1) c = pairs_[0][1];
   const std::size_t count =
       c != nullptr && c->required_scenarios > 0 ? c->required_scenarios : std::size_t{400};
   const std::string what = rows_.size() == 1 ? "narrow the interval"
@@ -559,11 +600,11 @@ Markup Leaderboard::more_scenarios() const {
                            : is_open ? "tell " + c->a + " from " + c->b + " if they differ by " +
                                            format_fixed(c->relevant, 2) + " (" +
                                            percent_text(c->power) + " % power)"
-                                     : "test the lead of " + name(0) + " again";
+                                     : "compare " + name(0) + " with " + name(1) + " again";
   return tag("li", {tag("b", {"Make sure: "}),
                     count_text(count, "new scenario") + " (" +
                         count_text(count * rows_.size(), "run") + ") " + what + ".",
-                    command("slalom-evaluate " + shell_word(input_.options.config) + " -o " +
+                    command("slalom-evaluate" + campaign_words() + " -o " +
                             shell_word(input_.options.output + "-2") +
                             " --set campaign.seed=" + std::to_string(input_.options.seed + 1) +
                             " --set scenarios.count=" + std::to_string(count))});
@@ -585,8 +626,8 @@ Markup Leaderboard::look() const {
                                 count_text(entry.failed, "failure") + " of " + name(chosen) +
                                 "; the smallest scenarios that show it:";
   return tag("li", {tag("b", {"Look: "}), why,
-                    command("slalom-falsify search " + shell_word(input_.options.config) +
-                            " --method " + shell_word(method) + " --runs 200 -o " +
+                    command("slalom-falsify search" + campaign_words() + " --method " +
+                            shell_word(method) + " --runs 200 -o " +
                             shell_word(input_.options.output + "-failures"))});
 }
 
@@ -597,19 +638,18 @@ Markup Leaderboard::do_better() const {
   if (interval && interval->low >= 0.9)
     return tag("li", {tag("b", {"Find its limit: "}),
                       "the narrowest passage that " + name(0) + " passes reliably.",
-                      command("slalom-certify limit " + shell_word(input_.options.config) +
-                              " --method " + shell_word(method) + " --of passage.width -o " +
+                      command("slalom-certify limit" + campaign_words() + " --method " +
+                              shell_word(method) + " --of passage.width -o " +
                               shell_word(input_.options.output + ".certificate.json"))});
   return tag("li", {tag("b", {"Do better: "}),
                     "other values of the parameters that " + name(0) +
                         " declares, tested on scenarios that the search does not see.",
-                    command("slalom-tune " + shell_word(input_.options.config) + " --method " +
-                            shell_word(method) + " --runs 1000 -o " +
-                            shell_word(input_.options.output + "-tuned"))});
+                    command("slalom-tune" + campaign_words() + " --method " + shell_word(method) +
+                            " --runs 1000 -o " + shell_word(input_.options.output + "-tuned"))});
 }
 
 Markup Leaderboard::next_steps() const {
-  if (rows_.empty() || input_.options.config.empty()) return {};
+  if (rows_.empty() || input_.options.campaign.empty()) return {};
   std::vector<Markup> steps;
   if (input_.options.generates) steps.push_back(more_scenarios());
   steps.push_back(look());

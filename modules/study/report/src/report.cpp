@@ -10,7 +10,6 @@
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
-#include <slalom/io/imported_table.h>
 #include <slalom/io/result_files.h>
 #include <slalom/report/report.h>
 #include <slalom/results/privileged.h>

@@ -73,14 +73,14 @@ TEST_F(FactsOfFailures, AreThoseThatOtherMethodsFailuresDoNotHave) {
   add(0, Outcome::Stuck, run_along(2, 7.7), 4);
   add(1, Outcome::Stuck, run_along(2, 7.4), 4);
   EXPECT_EQ(text(0), "4 of 4 end within 2 m of the goal");
-  EXPECT_EQ(text(1), "4 of 4 stop in the open, 0.25 m or more from every obstacle");
+  EXPECT_EQ(text(1), "4 of 4 stop 0.25 m or more from every static obstacle");
 }
 
 TEST_F(FactsOfFailures, TellStopsAtObstaclesAtTheStartAndDetours) {
   // The disc of 0.5 m at (5, 5): on the diagonal at 4.4 the center is 0.8485 m from its center, so
   // that 0.0985 m are free, less than half a radius.
   add(0, Outcome::Stuck, run_along(2.5, 4.4), 3);
-  EXPECT_EQ(text(0), "3 of 3 stop at an obstacle, less than 0.13 m away");
+  EXPECT_EQ(text(0), "3 of 3 stop less than 0.13 m from a static obstacle");
   CommonFacts start(1, RobotModel());
   std::swap(facts_, start);
   add(0, Outcome::Timeout, run_along(1, 1.5), 3);
@@ -96,7 +96,7 @@ TEST_F(FactsOfFailures, TellStopsAtObstaclesAtTheStartAndDetours) {
     wander.samples.push_back(sample);
   }
   add(0, Outcome::Timeout, wander, 3);
-  EXPECT_EQ(text(0), "3 of 3 wander: more than twice the shortest path");
+  EXPECT_EQ(text(0), "3 of 3 wander: more than twice the reference path");
 }
 
 class FailuresReport : public ReportTest {};

@@ -23,7 +23,7 @@ class FirstScreen : public ReportTest {
     ResultTable runs = read_results(results_path());
     sort_rows(runs);
     ReportOptions options = report_options(runs);
-    options.config = config_;
+    options.campaign = campaign_;
     options.output = "out/x";
     options.generates = true;
     options.seed = 7;
@@ -36,7 +36,7 @@ class FirstScreen : public ReportTest {
     return found.size() == 1 ? found[0] : "";
   }
 
-  std::string config_ = "my.ini";
+  std::vector<std::string> campaign_ = {"my.ini"};
 };
 
 TEST_F(FirstScreen, AnswersWhichMethodIsBest) {
@@ -49,6 +49,26 @@ TEST_F(FirstScreen, AnswersWhichMethodIsBest) {
   EXPECT_EQ(answer(screen_of({{"a", 0}, {"b", 0}}, 40)),
             "No method reaches the goal in any of 80 runs");
   EXPECT_EQ(answer(screen_of({{"only", 9}}, 10)), "only reaches the goal in 9 of 10 runs");
+  EXPECT_EQ(answer(screen_of({{"a", 30}, {"b", 30}, {"c", 1}}, 40)),
+            "a and b lead with a success of 75 %: they are not told apart");
+  EXPECT_EQ(answer(screen_of({{"a", 30}, {"b", 30}, {"c", 30}}, 40)),
+            "a, b and 1 more lead with a success of 75 %: they are not told apart");
+}
+
+TEST_F(FirstScreen, DoesNotCallAMethodTheFirstThatAnotherBeatsWhereBothRan) {
+  // "easy" solves none of 20 hard scenarios, and 40 that b has not run; b solves 15 of the 20.
+  std::string text = "method,scenario,success\n";
+  for (int i = 0; i < 60; ++i) text += "easy," + std::to_string(i) + (i < 20 ? ",0\n" : ",1\n");
+  for (int i = 0; i < 30; ++i)
+    text += "b," + std::to_string(i < 20 ? i : 100 + i) + (i < 15 ? ",1\n" : ",0\n");
+  write_imported(columns_from_csv(text, "x.csv"), results_path());
+  ResultTable runs = read_results(results_path());
+  sort_rows(runs);
+  write_report(results_path(), runs, report_options(runs), report_folder().string());
+  const std::string page = read("index.html");
+  EXPECT_EQ(answer(page),
+            "easy succeeds most often, in 40 of 60 runs, but b is better in the scenarios of both");
+  EXPECT_EQ(count(page, "The lead is not shown."), 1u);
 }
 
 TEST_F(FirstScreen, SaysHowSureThatIs) {
@@ -90,7 +110,11 @@ TEST_F(FirstScreen, ProposesCommandsOfTheCampaign) {
             0u);
   EXPECT_EQ(commands[1], "slalom-falsify search my.ini --method c --runs 200 -o out/x-failures");
   EXPECT_EQ(commands[2], "slalom-tune my.ini --method &#39;a b&#39; --runs 1000 -o out/x-tuned");
-  config_ = "";
+  campaign_ = {"my own.ini", "--set", "robot.radius=0.3"};
+  EXPECT_EQ(count(screen_of({{"a", 30}}, 40),
+                  "slalom-tune &#39;my own.ini&#39; --set robot.radius=0.3 --method a "),
+            1u);
+  campaign_ = {};
   EXPECT_EQ(count(screen_of({{"a", 30}}, 40), "What next"), 0u);
 }
 
@@ -118,6 +142,7 @@ TEST_F(FirstScreen, SaysNothingOfGoalsWhereOutcomesAreUnknown) {
   for (const char* text : {"reaches the goal", "dashed", "No failure", "0 failures"})
     EXPECT_EQ(count(page, text), 0u) << text;
   EXPECT_EQ(count(page, "How its runs end is not recorded."), 2u);
+  EXPECT_EQ(count(page, "class=\"picture\""), 0u) << "a table has none";
   // Times are those of common scenarios, each with its own number of them.
   const std::string times = page_of(
       "method,world,success,time_to_goal,optimality\na,1,1,10,0.9\na,2,1,20,NA\na,3,1,90,1\n"

@@ -25,11 +25,12 @@ struct ReportOptions {
   PeopleSettings people;                       ///< likewise: they walk as they did in each run
   std::size_t planned_runs = 0;                ///< of the complete campaign; 0 if it is not known
   std::vector<ReportedCluster> clusters = {};  ///< of failures, each with a page
-  /// For the commands that the first screen proposes: the .ini of the campaign and its output, as
-  /// they were typed; empty: none are proposed.
-  std::string config = {}, output = {};
-  std::uint64_t seed = 1;  ///< of the campaign
-  bool generates = false;  ///< its scenarios, so that there can be more of them
+  /// For the commands that the first screen proposes: the .ini of the campaign with its overrides
+  /// ("my.ini", "--set", "robot.radius=0.3"); empty: none are proposed.
+  std::vector<std::string> campaign = {};
+  std::string output = {};  ///< of the campaign, as it was typed
+  std::uint64_t seed = 1;   ///< of the campaign
+  bool generates = false;   ///< its scenarios, so that there can be more of them
 };
 
 /// The options from the sections [analysis], [robot], [simulation] and [people] of the campaign in
