@@ -73,7 +73,7 @@ TEST_F(Falsify, ShrinkWritesAReportWithTheVariantsThatPassAsNeighbors) {
   EXPECT_TRUE(cluster["statements"].empty()) << "one failure shows no difference";
   if (!has_browser()) GTEST_SKIP() << "needs the package chromium";
   const auto open = [&](const std::string& name) {
-    return open_in_browser((folder_ / "out" / name).string(), folder_);
+    return open_in_browser((folder_ / "out" / name).string());
   };
   EXPECT_EQ(all_matches(open("index.html"), "href=\"(cluster\\.html#1)\"").size(), 1U);
   const auto frames = all_matches(open("cluster.html#1"), "<iframe[^>]* src=\"([^\"]*)\"");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "places.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
@@ -71,6 +74,17 @@ class ProgramTest : public ::testing::Test {
     return end == std::string::npos ? text : text.substr(end + 1);
   }
 
+  /// Fills the test's folder by the first test of a suite, and copies it for the others.
+  void make_once(const std::function<void()>& make) const {
+    static std::map<std::string, TemporaryFolder> made;
+    const auto [first, is_first] =
+        made.try_emplace(testing::UnitTest::GetInstance()->current_test_info()->test_suite_name());
+    if (is_first) make();
+    const std::filesystem::path kept = first->second / "";
+    std::filesystem::copy(is_first ? folder_ : kept, is_first ? kept : folder_,
+                          std::filesystem::copy_options::recursive);
+  }
+
   std::filesystem::path folder_;
 };
 
@@ -98,22 +112,17 @@ plugin  = libslalom_follow_the_gap.so
 rows = density:0,0.05,1
 )";
 
-/// Provides the result file of a small campaign, "runs.results", in each test's folder. It is made
-/// once and copied.
+/// Provides the result file of a small campaign, "runs.results", in each test's folder.
 class ResultsTest : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    if (results().empty()) {
+    make_once([this] {
       write("small.ini", kSmallCampaign);
       ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
-      results() = read("out/runs.results");
-    }
-    write("runs.results", results());
-  }
-  static std::string& results() {
-    static std::string bytes;
-    return bytes;
+      std::filesystem::rename(folder_ / "out/runs.results", folder_ / "runs.results");
+      std::filesystem::remove_all(folder_ / "out");
+    });
   }
 };
 

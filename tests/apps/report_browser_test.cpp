@@ -18,12 +18,14 @@ class ReportInABrowser : public ProgramTest {
   void SetUp() override {
     ProgramTest::SetUp();
     if (!has_browser()) GTEST_SKIP() << "needs the package chromium";
-    write("small.ini", std::string(kSmallCampaign) + "[record]\nrawlog = all\n");
-    ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
+    make_once([this] {
+      write("small.ini", std::string(kSmallCampaign) + "[record]\nrawlog = all\n");
+      ASSERT_EQ(run("slalom-evaluate small.ini -o out --quiet").status, 0);
+    });
   }
 
   std::string open(const std::string& page) const {
-    return open_in_browser((folder_ / "out/report" / page).string(), folder_);
+    return open_in_browser((folder_ / "out/report" / page).string());
   }
 
   static std::string ready(const std::string& dom) {
@@ -60,7 +62,7 @@ TEST_F(ReportInABrowser, ARunShowsMoversAtItsInstant) {
         "plugin = libslalom_go_to_goal.so\n");
   ASSERT_EQ(run("slalom-evaluate crossing.ini -o moving --quiet").status, 0);
   const auto open_moving = [&](const std::string& page) {
-    return open_in_browser((folder_ / "moving/report" / page).string(), folder_);
+    return open_in_browser((folder_ / "moving/report" / page).string());
   };
   const auto runs = all_matches(open_moving("runs.html"), "href=\"(run\\.html#[^\"]+)\"");
   ASSERT_EQ(runs.size(), 1u);

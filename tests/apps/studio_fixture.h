@@ -2,11 +2,9 @@
 #pragma once
 
 #include "program_run.h"
-#include "temporary_folder.h"
 
 #include <csignal>
 #include <fcntl.h>
-#include <functional>
 #include <map>
 #include <unistd.h>
 
@@ -92,17 +90,6 @@ class StudioTest : public ProgramTest {
             std::to_string(seed) + " -o " + name + " --quiet");
     ASSERT_EQ(result.status, 0) << result.err;
     bytes = read(name);
-  }
-
-  /// Fills the test's folder by the first test of a suite, and copies it for the others.
-  void make_once(const std::function<void()>& make) const {
-    static std::map<std::string, TemporaryFolder> made;
-    const auto [first, is_first] =
-        made.try_emplace(testing::UnitTest::GetInstance()->current_test_info()->test_suite_name());
-    if (is_first) make();
-    const std::filesystem::path kept = first->second / "";
-    std::filesystem::copy(is_first ? folder_ : kept, is_first ? kept : folder_,
-                          std::filesystem::copy_options::recursive);
   }
 
   std::string display_;

@@ -6,6 +6,8 @@
 
 #include <slalom/core/text.h>
 
+#include <gtest/gtest-spi.h>
+
 namespace slalom {
 namespace {
 
@@ -31,7 +33,7 @@ class Chart : public testing::Test {
                                              "src=\"common.js\"></script><script src=\"chart.js\">"
                                              "</script><script src=\"draw.js\"></script>";
     std::ofstream(folder_ / "draw.js") << "document.body.append(" << expression << ");";
-    return open_in_browser((folder_ / "chart.html").string(), folder_);
+    return open_in_browser((folder_ / "chart.html").string());
   }
 
   /// The drawing commands of the path with this title.
@@ -43,6 +45,24 @@ class Chart : public testing::Test {
 
   fs::path folder_;
 };
+
+TEST_F(Chart, AnErrorOfAScriptAndAMissingFileAreFailuresOfTheTest) {
+  const auto failures_of = [](const auto& open) {
+    testing::TestPartResultArray found;
+    {
+      const testing::ScopedFakeTestPartResultReporter kept(&found);
+      open();
+    }
+    return found.size() == 1 ? std::string(found.GetTestPartResult(0).message()) : "none";
+  };
+  const auto drawing = [&](const std::string& what) { return failures_of([&] { draw(what); }); };
+  EXPECT_NE(drawing("missing()").find("missing is not defined"), std::string::npos);
+  EXPECT_NE(
+      drawing("Object.assign(document.createElement('img'), {src: 'none.png'})").find("none.png"),
+      std::string::npos);
+  const std::string page = (folder_ / "none.html").string();
+  EXPECT_NE(failures_of([&] { open_in_browser(page); }).find(page), std::string::npos);
+}
 
 TEST_F(Chart, HoldsEachValueUntilTheNextPointAndTheLastUntilTheBorder) {
   const std::string document = draw(

@@ -34,7 +34,7 @@ class PageMeasures : public ReportTest {
             "frame.contentDocument);\n"
          << script << "</script>";
     page.close();
-    const std::string document = open_in_browser((report_folder() / "probe.html").string(), folder_,
+    const std::string document = open_in_browser((report_folder() / "probe.html").string(),
                                                  "--allow-file-access-from-files " + options, time);
     const auto body = all_matches(document, "<body>([^<]*)</body>");
     EXPECT_EQ(body.size(), 1u) << document.substr(0, 2000);
@@ -118,8 +118,7 @@ TEST_F(PageMeasures, TheNavigationIsOneRowThatHidesNoHeading) {
 TEST_F(PageMeasures, TheDemosReportIsPrintedOnAtMostEightPages) {
   make_report({});
   const std::filesystem::path pdf = folder_ / "index.pdf";
-  open_in_browser((report_folder() / "index.html").string(), folder_,
-                  "--print-to-pdf='" + pdf.string() + "'");
+  print_in_browser((report_folder() / "index.html").string(), folder_, pdf.string());
   std::ifstream stream(pdf, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   const auto pages = all_matches(text, "/Type /(Page)\\s");

@@ -17,7 +17,7 @@ class ReportPages : public ReportTest {
   }
 
   std::string open(const std::string& page, const std::string& options = "") const {
-    return open_in_browser((report_folder() / page).string(), folder_, options);
+    return open_in_browser((report_folder() / page).string(), options);
   }
 
   /// The part of a document from a section's heading to the next one.
