@@ -3,8 +3,8 @@
 #include <slalom/core/text.h>
 #include <slalom/library/library_method.h>
 #include <slalom/library/shared_library.h>
+#include <slalom/methods/c_types.h>
 #include <slalom/methods/registry.h>
-#include <slalom/methods/slalom_method.h>
 
 #include <vector>
 
@@ -16,31 +16,6 @@ constexpr char kTracksSymbol[] = "slalom_method_get_tracks_api";
 constexpr char kMapSymbol[] = "slalom_method_get_map_api";
 constexpr char kGoalHeadingSymbol[] = "slalom_method_get_goal_heading_api";
 constexpr char kSpaceSymbol[] = "slalom_method_get_space_api";
-
-/// Converts the robot to C; its footprint points to `corners`.
-slalom_robot to_c(const RobotModel& robot, const SensorModel& sensor,
-                  std::vector<double>& corners) {
-  corners.clear();
-  const Footprint footprint = robot.shape();
-  for (const auto& corner : footprint.hull()) {
-    corners.push_back(corner.x);
-    corners.push_back(corner.y);
-  }
-  slalom_robot result = {};
-  result.holonomic = robot.holonomic() ? 1 : 0;
-  result.footprint = corners.empty() ? nullptr : corners.data();
-  result.footprint_points = corners.size() / 2;
-  result.radius = robot.radius;
-  result.max_v = robot.max_v;
-  result.max_w = robot.max_w;
-  result.max_accel_v = robot.max_accel_v;
-  result.max_accel_w = robot.max_accel_w;
-  result.forward_only = robot.forward_only ? 1 : 0;
-  result.rays = sensor.rays;
-  result.aperture = sensor.aperture();
-  result.max_range = sensor.max_range;
-  return result;
-}
 
 /// The functions that a library exports; null for those that it does not.
 struct LibraryApi {
@@ -80,60 +55,29 @@ class LibraryMethod : public Method {
   }
 
   void reset(const NavigationTask& task) override {
-    slalom_task t = {};
-    t.start_x = task.start.x;
-    t.start_y = task.start.y;
-    t.start_phi = task.start.phi;
-    t.goal_x = task.goal.x;
-    t.goal_y = task.goal.y;
-    t.goal_tolerance = task.goal_tolerance;
-    t.control_period = task.control_period;
-    t.seed = task.seed;
+    const slalom_task t = to_c(task);
     check_result("reset", api_.reset(method_, &t));
     if (goal_heading_api_ != nullptr && task.goal_heading)
       check_result("set_goal_heading",
                    goal_heading_api_->set_goal_heading(method_, *task.goal_heading,
                                                        task.goal_heading_tolerance));
-    if (uses_map()) pass_map(map_of(task));
+    if (!uses_map()) return;
+    const slalom_map map = to_c(map_of(task));
+    check_result("set_map", map_api_->set_map(method_, &map));
   }
 
   Command step(const Observation& observation) override {
-    const auto& scan = *observation.scan;
-    const float* first = scan.getScanSize() > 0 ? &scan.getScanRange(0) : nullptr;
-    ranges_.assign(first, first + scan.getScanSize());
-    slalom_observation o = {};
-    o.time = observation.time;
-    o.x = observation.odometry.x;
-    o.y = observation.odometry.y;
-    o.phi = observation.odometry.phi;
-    o.v = observation.v;
-    o.vy = observation.vy;
-    o.w = observation.w;
-    o.goal_x = observation.goal_in_robot.x;
-    o.goal_y = observation.goal_in_robot.y;
-    o.ranges = ranges_.data();
-    o.rays = ranges_.size();
-    if (tracks_api_ != nullptr) pass_tracks(tracks_of(observation));
+    const slalom_observation o = to_c(observation, ranges_);
+    if (tracks_api_ != nullptr) {
+      const std::vector<slalom_track> tracks = to_c(tracks_of(observation));
+      check_result("set_tracks", tracks_api_->set_tracks(method_, tracks.data(), tracks.size()));
+    }
     slalom_command command = {};
     check_result("step", api_.step(method_, &o, &command));
     return {command.v, command.w, command.vy};
   }
 
  private:
-  void pass_map(const KnownMap& map) {
-    const slalom_map converted = {map.resolution, map.origin.x, map.origin.y,
-                                  map.size_x,     map.size_y,   map.cells->data()};
-    check_result("set_map", map_api_->set_map(method_, &converted));
-  }
-
-  void pass_tracks(const std::vector<Track>& tracks) {
-    tracks_.clear();
-    for (const Track& track : tracks)
-      tracks_.push_back({track.id, track.position.x, track.position.y, track.velocity.x,
-                         track.velocity.y, track.radius});
-    check_result("set_tracks", tracks_api_->set_tracks(method_, tracks_.data(), tracks_.size()));
-  }
-
   double default_of(const std::string& key) const {
     for (std::size_t i = 0; i < api_.parameter_count; ++i) {
       double value = 0;
@@ -159,7 +103,6 @@ class LibraryMethod : public Method {
   const slalom_space_api* space_api_;
   void* method_;
   std::vector<float> ranges_;
-  std::vector<slalom_track> tracks_;
 };
 
 /// Loads the library of a method; each step has its own error message.
