@@ -11,7 +11,7 @@ get_property(apps GLOBAL PROPERTY SLALOM_APPS)
 add_custom_target(packaged DEPENDS slalom_reactive_methods slalom_parts ${apps})
 if(NOT SLALOM_SANITIZE)
   list(TRANSFORM apps APPEND -man)
-  add_dependencies(packaged slalom_extension ${apps})
+  add_dependencies(packaged slalom_library_c ${apps})
 endif()
 foreach(module ${modules})
   add_dependencies(packaged slalom_${module})
@@ -46,10 +46,8 @@ file(STRINGS ${PROJECT_SOURCE_DIR}/scripts/packages.txt needed
      REGEX "^(cmake|pkg-config|lib.*-dev|nlohmann.*|python3-dev|pybind11-dev|zlib1g-dev)$")
 list(FILTER needed EXCLUDE REGEX "benchmark|gtest|rapidcheck|cli11|libgl-dev")
 list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
-math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
-string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-       "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), "
-       "python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy, slalom (= ${PROJECT_VERSION}-1)")
+string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", slalom (= ${PROJECT_VERSION}-1)")  # which has libslalom.so
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.8), python3-numpy, slalom (= ${PROJECT_VERSION}-1)")
 # Python writes compiled modules beside those of the package.
 file(CONFIGURE OUTPUT ${legal}/prerm
      CONTENT "#!/bin/sh\nset -e\nrm -rf /usr/lib/python3/dist-packages/slalom/__pycache__\n")

@@ -80,9 +80,9 @@ if [ "${BUNDLES:-}" ]; then
 fi
 
 inside apt-get -qq update >/dev/null
-inside apt-get -qq install -y --no-install-recommends cmake fonts-dejavu-core g++ libgl1-mesa-dri libglx-mesa0 make xauth \
-  xvfb >/dev/null
-cp -r "$sources"/examples/tutorial "$sources"/examples/library_method "$home/work" && inside chown -R user /home/user/work
+inside apt-get -qq install -y --no-install-recommends cmake fonts-dejavu-core g++ libgl1-mesa-dri libglx-mesa0 make python3 python3-numpy \
+  xauth xvfb >/dev/null
+cp -r "$sources"/examples/{c_interface,library_method,tutorial} "$home/work" && inside chown -R user /home/user/work
 try "the tutorial in C++ and Python" <<<"cd tutorial
   g++ -std=c++17 -O2 -shared -fPIC -I\"\$SLALOM/include\" my_method.cpp -o libmy_method.so
   slalom-scenarios generate -c scenarios.ini -o my.scenarios --quiet
@@ -90,6 +90,20 @@ try "the tutorial in C++ and Python" <<<"cd tutorial
 try "a method in C, by CMake" <<<"cd library_method
   cmake -S . -B build -DCMAKE_PREFIX_PATH=\"\$SLALOM\" >/dev/null; cmake --build build >/dev/null
   slalom-evaluate campaign.ini -o out -j 2 --quiet >out.txt; $(expect_runs out)"
+try "an evaluation in C, by CMake" <<<"cd c_interface
+  cmake -S . -B build -DCMAKE_PREFIX_PATH=\"\$SLALOM\" >/dev/null; cmake --build build >/dev/null; ./build/my_evaluation"
+cat >"$home/work/evaluate.py" <<'PROGRAM'
+import hashlib, sys, slalom
+class Turns:
+    def step(self, o): return 0.4, 0.8 if o.goal_y > 0 else -0.8
+gap = slalom.plugin("libslalom_follow_the_gap.so")
+results = slalom.evaluate({"turns": Turns, "gap": gap}, slalom.generate("random", 20), workers=2, trajectories=True)
+bits = b"".join(bytes(memoryview(one).cast("B")) for one in results.trajectories)
+print("import slalom in Python", sys.version.split()[0], hashlib.sha256(bits).hexdigest())
+print(results)
+PROGRAM
+try "import slalom in this system's Python" <<<'export PYTHONPATH="$SLALOM/lib/python3/dist-packages"
+  python3 evaluate.py; python3 -S evaluate.py | head -1'
 try "Slalom Studio" <<<'printf "size 1280 800\nwait idle\nexpect list contains \"70 scenarios\"\nscreenshot studio.png\n" >studio.txt
   LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a slalom-studio slalom-demo/campaign.scenarios --script studio.txt; test -s studio.png'
 as_user rm -r "/home/user/my programs"

@@ -48,7 +48,6 @@ def main(folder: str, version: str, glibc: str, seconds: str, out: str) -> None:
             "Summary: Evaluation of obstacle avoidance methods for mobile robots\n"
             "License: BSD-3-Clause, and those in slalom/bundle/share/doc/slalom/licenses\n"
             "Requires-Python: >=3.8\n"
-            f"Requires-Dist: numpy; python_version == '{sys.version_info[0]}.{sys.version_info[1]}'\n"
         )
         write(f"{info}/METADATA", metadata.encode(), 0o644)
         write(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: slalom\nRoot-Is-Purelib: false\nTag: {tag}\n".encode(), 0o644)

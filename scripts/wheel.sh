@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Packs what scripts/archive.sh packs as a Python wheel: scripts/wheel.sh
-# Its programs run from any Python; "import slalom" needs the version with which Slalom is built, as pybind11 has no stable
-# ABI. Writes build/release/slalom-VERSION-py3-none-manylinux_2_Z_x86_64.whl; glibc 2.Z is the oldest that its files need.
+# It is for any Python from 3.8 on. Writes build/release/slalom-VERSION-py3-none-manylinux_2_Z_x86_64.whl; glibc 2.Z is the oldest that its files need.
 # Needs the packages patchelf and binutils.
 set -euo pipefail
 cd "$(dirname "$0")/.." && source scripts/bundle.sh
@@ -16,6 +15,5 @@ bundle_stage "$work/bundle"
 mv "$work/bundle/lib/python3/dist-packages/slalom" "$work/slalom"
 rmdir "$work/bundle/lib/python3/dist-packages" "$work/bundle/lib/python3"
 mv "$work/bundle" "$work/slalom/bundle"
-patchelf --set-rpath "\$ORIGIN/bundle/lib/slalom/bundled" "$work"/slalom/_slalom.*.so
 /usr/bin/python3 scripts/wheel.py "$work" "$(bundle_version)" "$(bundle_glibc "$work/slalom")" \
   "$(bundle_time)" build/release

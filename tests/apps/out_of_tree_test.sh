@@ -39,6 +39,10 @@ diff <(block cpp) main.cpp
 ./build/my_evaluation >output
 diff <(block text) output
 
+build_example c_interface
+./build/my_evaluation >output
+diff <(block plain) output
+
 build_example ompl_benchmark
 "$source/tests/adapters/planners/ompl/ompl_benchmark_test.sh" ./build/ompl_benchmark
 

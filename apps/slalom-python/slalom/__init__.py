@@ -14,13 +14,12 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import ctypes
 import difflib
 import functools
-import importlib.util
 import itertools
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -30,24 +29,11 @@ import weakref
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, TextIO, Tuple, Union
 
 
-def _why_not_importable() -> str:
-    """What this Python lacks for Slalom; empty if nothing is missing."""
-    package = os.path.dirname(os.path.abspath(__file__))
-    this = f"{sys.executable} is Python {sys.version_info[0]}.{sys.version_info[1]}"
-    names = [re.match(r"_slalom\.cpython-(\d)(\d+)", name) for name in os.listdir(package)]
-    built = [f"{name[1]}.{name[2]}" for name in names if name]
-    if built and f"{sys.version_info[0]}.{sys.version_info[1]}" not in built:
-        return f"{this}; expected Python {' or '.join(built)}, for which Slalom was built"
-    if importlib.util.find_spec("numpy") is None:
-        return f"{this}, without NumPy; expected NumPy for it (pip install numpy), or a Python that has it"
-    return ""
+from ._library import Call, Error, Handle, find_library, load, numpy, taken_array, to_json, to_settings
+from ._methods import FUNCTIONS, described
 
-
-if not _why_not_importable():
-    from ._slalom import Error, Scenario, __version__, read_scenarios, write_scenarios
-    from . import _slalom
-elif sys.argv[:1] != ["-m"]:  # that is python -m slalom, which only looks for a program
-    raise ImportError("slalom: " + _why_not_importable())
+if sys.argv[:1] != ["-m"]:  # that is python -m slalom, which only looks for a program
+    __version__ = load().slalom_version().decode()
 
 __all__ = [
     "Certificate",
@@ -95,6 +81,108 @@ Method = Union[type, Tuple[type, Dict[str, Any]], Dict[str, Any]]
 Progress = Union[bool, Callable[[str, int, int], None]]
 
 
+class Scenario:
+    """One obstacle avoidance problem: a workspace, its obstacles, a start pose and a goal."""
+
+    def __init__(self, scenarios: Handle, index: int) -> None:
+        self._place = scenarios, index
+
+    @functools.cached_property
+    def _described(self) -> Dict[str, Any]:
+        return json.loads(load().slalom_scenario_json(*self._place))
+
+    @property
+    def name(self) -> str:
+        return self._described["name"]
+
+    @property
+    def hash(self) -> str:
+        """Of the content, 32 hexadecimal digits."""
+        return self._described["hash"]
+
+    @property
+    def start(self) -> Tuple[float, float, float]:
+        """x, y (m) and heading (rad)."""
+        return tuple(self._described["start"])
+
+    @property
+    def goal(self) -> Tuple[float, float]:
+        """x, y (m)."""
+        return tuple(self._described["goal"])
+
+    @property
+    def goal_heading(self) -> Optional[float]:
+        """rad; None if any will do."""
+        return self._described["goal_heading"]
+
+    @property
+    def bounds(self) -> Tuple[float, float, float, float]:
+        """x_min, y_min, x_max, y_max (m)."""
+        return tuple(self._described["bounds"])
+
+    @property
+    def movers(self) -> List[Dict[str, Any]]:
+        """Moving obstacles: id, radius (m), after ("stop", "loop" or "vanish"), waypoints: a list of
+        t (s), x, y (m)."""
+        return [{**mover, "waypoints": list(map(tuple, mover["waypoints"]))} for mover in self._described["movers"]]
+
+    def yaml(self) -> str:
+        """As in a file .scenario.yaml."""
+        return load().slalom_scenario_yaml(*self._place)
+
+    @staticmethod
+    def from_yaml(text: str) -> Scenario:
+        return _scenarios_of(load().slalom_scenarios_from_yaml(text.encode()))[0]
+
+    def occupancy(self, resolution: float = 0.05) -> Any:
+        """Cells [row, column], row 0 at y_min; True where occupied. Grids keep their own cells."""
+        rows, columns = ctypes.c_size_t(), ctypes.c_size_t()
+        sizes = ctypes.byref(rows), ctypes.byref(columns)
+        cells = load().slalom_scenario_occupancy(*self._place, resolution, *sizes)
+        return taken_array(cells, "?", (rows.value, columns.value))
+
+    def _repr_svg_(self) -> str:
+        return load().slalom_scenario_svg(*self._place)
+
+    def __repr__(self) -> str:
+        x, y, _ = self.start
+        return (
+            f"<slalom.Scenario {self.name} {self.hash[:8]}, start ({x:.2f}, {y:.2f}), "
+            f"goal ({self.goal[0]:.2f}, {self.goal[1]:.2f})>"
+        )
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scenario) and self.hash == other.hash
+
+    def __hash__(self) -> int:
+        return hash(self.hash)
+
+    def __reduce__(self) -> Any:
+        return Scenario.from_yaml, (self.yaml(),)
+
+
+def _scenarios_of(address: int) -> List[Scenario]:
+    handle = Handle(address, "slalom_scenarios_free")
+    return [Scenario(handle, index) for index in range(load().slalom_scenarios_size(handle))]
+
+
+def _list_of(scenarios: Sequence[Scenario]) -> Handle:
+    handle = Handle(load().slalom_scenarios_new(), "slalom_scenarios_free")
+    for scenario in scenarios:
+        load().slalom_scenarios_add(handle, *scenario._place)
+    return handle
+
+
+def read_scenarios(path: str) -> List[Scenario]:
+    """Reads a list (.scenarios) or a scenario (.yaml). Raises Error."""
+    return _scenarios_of(load().slalom_scenarios_read(os.fsencode(path)))
+
+
+def write_scenarios(path: str, scenarios: Sequence[Scenario]) -> None:
+    """Writes a list. Raises Error."""
+    load().slalom_scenarios_write(_list_of(scenarios), os.fsencode(path))
+
+
 class UnknownColumn(KeyError):
     """A misspelled column; the nearest one is suggested."""
 
@@ -131,39 +219,43 @@ class Results(Columns):
     array of samples with TRAJECTORY_COLUMNS, or is None.
     """
 
-    def __init__(
-        self,
-        columns: Dict[str, Any],
-        timing: Dict[str, Any],
-        reasons: Dict[str, Dict[int, str]],
-        trajectories: Optional[List[Any]],
-        table: _slalom.ResultTable,
-        path: str,
-    ) -> None:
-        super().__init__(columns)
-        self.timing = Columns(timing)
+    def __init__(self, table: Handle, path: str, trajectories: bool) -> None:
+        runs = load().slalom_results_size(table)
+        described = json.loads(load().slalom_results_json(table))
+
+        def numbers(ids: List[str]) -> Dict[str, Any]:
+            return {one: taken_array(load().slalom_results_numbers(table, one.encode()), "d", (runs,)) for one in ids}
+
+        reasons = {
+            one: {int(run): reason for run, reason in described["reasons"][one].items()}
+            for one in described["numbers"]
+        }
+        texts = ("scenario", "scenario_hash", "method", "repetition", "outcome", "detail")
+        super().__init__({name: described["columns"][name] for name in texts})
+        if numpy is not None:
+            self["repetition"] = numpy.array(self["repetition"], dtype=numpy.uint32)
+        self["reasons"] = [{one: by_run[run] for one, by_run in reasons.items() if run in by_run} for run in range(runs)]
+        self.update(numbers(described["numbers"]))
+        self.timing = Columns(numbers(described["timing"]))
         self.reasons: Dict[str, Dict[int, str]] = Columns(reasons)
-        self.trajectories = trajectories
+        #: The settings by "SECTION.KEY", and the versions of the software, as texts.
+        self.manifest: Dict[str, str] = described["manifest"]
+        self.trajectories = [_trajectory(table, run) for run in range(runs)] if trajectories else None
         self._table = table
         self._path = path
 
     def __repr__(self) -> str:
-        return _slalom.summary(self._table, self._path)
-
-    @property
-    def manifest(self) -> Dict[str, str]:
-        """The settings by "SECTION.KEY", and the versions of the software, as texts."""
-        return self._table.manifest
+        return load().slalom_results_summary(self._table)
 
     def table(self, rows: str, columns: Sequence[str], confidence: float = 0.95) -> str:
         """Tables of metrics in bins of a descriptor, one per method, as text. `rows` is "all",
         "density:4" (bins of equal width), "density:q4" (with equal numbers of scenarios) or
         "density:0,0.1,0.2" (edges)."""
-        return _slalom.cross_table(self._table, rows, columns, confidence)
+        return load().slalom_results_table(self._table, rows.encode(), to_json(list(columns)), confidence)
 
     def save(self, path: str) -> None:
         """Writes a result file (.results), with the trajectories, for read_results() and slalom-analyze."""
-        _slalom.save_results(self._path, os.fspath(path))
+        load().slalom_results_save(self._table, os.fsencode(path))
 
     def compare(
         self,
@@ -214,6 +306,16 @@ class Results(Columns):
                 return Figure(file.read())
 
 
+def _trajectory(table: Handle, run: int) -> Any:
+    samples = ctypes.c_size_t()
+    numbers = load().slalom_results_trajectory(table, run, ctypes.byref(samples))
+    return taken_array(numbers, "d", (samples.value, len(TRAJECTORY_COLUMNS)))
+
+
+def _results(address: int, path: str, trajectories: bool) -> Results:
+    return Results(Handle(address, "slalom_results_free"), path, trajectories)
+
+
 def _analyze(verb: str, results: Sequence[Results], options: Dict[str, Any]) -> str:
     """What slalom-analyze prints, with short names for the files of evaluate(). Raises Error with
     its message."""
@@ -251,7 +353,8 @@ def _find_program(name: str) -> str:
 
 def read_results(path: str, *, trajectories: bool = False) -> Results:
     """Reads a result file (.results), or a folder with the shards of a campaign. Raises Error."""
-    return Results(*_slalom.read_results(os.path.abspath(path), trajectories))
+    path = os.path.abspath(path)
+    return _results(load().slalom_results_read(os.fsencode(path)), path, trajectories)
 
 
 def generate(
@@ -280,8 +383,10 @@ def generate(
         "scenarios": {"walkers": walkers, "goal_headings": goal_headings},
         "generator." + family: options,
     }
-    with _drawn(progress) as report:
-        return _slalom.generate(family, count, seed, workers, sections, report)
+    settings = to_json(to_settings(sections))
+    with _drawn(progress) as report, Call(report) as call:
+        made = load().slalom_scenarios_generate(family.encode(), count, seed, workers, settings, call.report, None)
+    return _scenarios_of(made)
 
 
 def evaluate(
@@ -332,27 +437,31 @@ def evaluate(
     if show_output and progress is True:
         progress = False  # a bar would stand between the lines that are shown
     try:
-        with _drawn(progress) as report:
-            parts = _slalom.evaluate(
-                dict(methods),
-                list(scenarios),
-                sections,
-                metrics,
-                descriptors,
-                seed,
-                repetitions,
-                workers,
-                in_process,
-                trajectories,
-                report,
-                path,
+        options = {
+            "settings": to_settings(sections),
+            "metrics": None if metrics is None else list(metrics),
+            "descriptors": None if descriptors is None else list(descriptors),
+            "seed": seed,
+            "repetitions": repetitions,
+            "workers": workers,
+            "in_process": in_process,
+            "output": path,
+        }
+        with described(methods) as given, _drawn(progress) as report, Call(report) as call:
+            made = load().slalom_evaluate(
+                to_json(given),
+                ctypes.addressof(FUNCTIONS),
+                _list_of(scenarios),
+                to_json(options),
+                call.report,
+                None,
             )
+        results = _results(made, path, trajectories)
     except BaseException:
         _remove(path)
         raise
     finally:
         _evaluating -= 1
-    results = Results(*parts)
     # Copies of the results share the table, and so the file.
     weakref.finalize(results._table, _remove, path)
     return results
@@ -448,8 +557,8 @@ def _drawn(progress: Progress) -> Iterator[Optional[Callable[[str, int, int], No
 class Certificate(Dict[str, Any]):
     """A certificate as in a file .certificate.json; `str()` is what it says."""
 
-    def __init__(self, certificate: str, text: str) -> None:
-        super().__init__(json.loads(certificate))
+    def __init__(self, certificate: Dict[str, Any], text: str) -> None:
+        super().__init__(certificate)
         self.text = text
 
     def __str__(self) -> str:
@@ -493,11 +602,19 @@ def certify(
     fields = {key.rstrip("_"): value for key, value in question.items()}
     if not isinstance(fields.get("reliability", []), (list, tuple)) and kind == "limit":
         fields["reliability"] = [fields["reliability"]]
-    return Certificate(
-        *_slalom.certify(
-            kind, json.dumps({"method": name, **fields}), method, sections, workers, output
+    with described({name: method}) as given, Call():
+        answer = json.loads(
+            load().slalom_certify(
+                kind.encode(),
+                to_json({"method": name, **fields}),
+                to_json(given[0]),
+                ctypes.addressof(FUNCTIONS),
+                to_json(to_settings(sections)),
+                workers,
+                os.fsencode(output),
+            )
         )
-    )
+    return Certificate(answer["certificate"], answer["text"])
 
 
 def tune(method: Method, **arguments: Any) -> Certificate:
@@ -515,13 +632,13 @@ def mrpt_holonomic(class_name: str, plugin: str = "", **options: Any) -> Dict[st
     """A method of MRPT's holonomic interface, such as "CHolonomicND", or a class of a plug-in."""
     method = {"adapter": "mrpt_holonomic", "class": class_name, **options}
     if plugin:
-        method["plugin"] = _find_plugin(plugin)
+        method["plugin"] = find_library(plugin)
     return method
 
 
 def plugin(library: str, **options: Any) -> Dict[str, Any]:
     """A compiled method: a path, or the name of a shipped one, such as "libslalom_mppi.so"."""
-    return {"adapter": "library", "plugin": _find_plugin(library), **options}
+    return {"adapter": "library", "plugin": find_library(library), **options}
 
 
 def barrier_filter(base: str, **options: Any) -> Dict[str, Any]:
@@ -532,25 +649,5 @@ def barrier_filter(base: str, **options: Any) -> Dict[str, Any]:
 
 def onnx(model: str, **options: Any) -> Dict[str, Any]:
     """A learned policy: a network in an ONNX file, with the keys of adapter = onnx as options."""
-    runtime = _find_plugin("runtime/libslalom_onnx_runtime.so")
+    runtime = find_library("runtime/libslalom_onnx_runtime.so")
     return {"adapter": "onnx", "model": os.path.abspath(model), "runtime": runtime, **options}
-
-
-def _shipped_folders() -> List[str]:
-    """Where Slalom's libraries may be: in a wheel, built, installed."""
-    package = os.path.dirname(os.path.abspath(__file__))
-    folders = ("bundle/lib/slalom", "../../slalom", "../../../slalom")
-    return [os.path.abspath(os.path.join(package, folder)) for folder in folders]
-
-
-def _find_plugin(library: str) -> str:
-    """The path of a library: as given, or in the folders where Slalom's methods are."""
-    for folder in ("", *_shipped_folders()):
-        path = os.path.abspath(os.path.join(folder, library))
-        if os.path.isfile(path):
-            return path
-    return library
-
-
-if "_slalom" in globals():
-    _slalom.set_shipped_folder(next(filter(os.path.isdir, _shipped_folders()), ""))

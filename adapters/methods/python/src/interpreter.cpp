@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interpreter.h"
+#include "python_class.h"
 
-#include <slalom/core/fork.h>
 #include <slalom/core/program_path.h>
-#include <slalom/core/text.h>
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -89,40 +88,8 @@ void start_interpreter() {
   PyEval_SaveThread();
 }
 
-void prepare_forks() {
-  // The lock is not given up in between, and the thread that forked holds it in the new process.
-  set_fork_hooks({[] {
-                    if (PyGILState_Check() != 0) PyOS_BeforeFork();
-                  },
-                  [] {
-                    if (PyGILState_Check() != 0) PyOS_AfterFork_Parent();
-                  },
-                  [] {
-                    if (PyGILState_Check() != 0) PyOS_AfterFork_Child();
-                  }});
-}
-
 std::string describe(const pybind11::error_already_set& error) {
-  namespace py = pybind11;
-  // An error in a call itself, as with wrong arguments, has no trace.
-  const py::object trace = error.trace() ? error.trace() : py::none();
-  py::module_::import("traceback").attr("print_exception")(error.type(), error.value(), trace);
-  std::string text = py::str(error.type().attr("__name__"));
-  const std::string message = py::str(error.value());
-  if (!message.empty()) text += ": " + message;
-  std::string frames;
-  if (error.trace())
-    for (const py::handle frame :
-         py::module_::import("traceback").attr("extract_tb")(error.trace())) {
-      const std::filesystem::path file = py::str(frame.attr("filename")).cast<std::string>();
-      if (starts_with(file.string(), "<frozen")) continue;  // of Python itself
-      frames += (frames.empty() ? "" : ", ") + file.filename().string() + ":" +
-                std::string(py::str(frame.attr("lineno"))) + " in " +
-                std::string(py::str(frame.attr("name")));
-    }
-  for (char& c : text)
-    if (c == '\n') c = ' ';
-  if (!frames.empty()) text += " (" + frames + ")";
+  std::string text = describe_error(error);
   if (error.matches(PyExc_ModuleNotFoundError) && !environment().empty() &&
       !is_of_this_version(environment()))
     text += "; VIRTUAL_ENV is " + environment().string() +

@@ -13,10 +13,6 @@ namespace slalom {
 /// interpreter cannot start.
 void start_interpreter();
 
-/// Makes fork_process() prepare the interpreter of a thread that holds its lock, so that the forked
-/// process may use it, too. Python 3.13 ends a process that was forked without it.
-void prepare_forks();
-
 /// The exception on one line: "ValueError: negative gain (my_method.py:31 in step)", functions from
 /// the outermost to the one that raised it, and where a module is missing an environment that was
 /// not used. The traceback is also printed to standard error. The caller holds the interpreter's

@@ -13,10 +13,10 @@ namespace slalom {
 
 /// Imports the module of the file, whose folder is searched first for modules that it imports.
 /// Throws Error (Usage) at `where`.
-pybind11::module_ import_module(const std::string& path, const std::string& where);
+pybind11::object import_module(const std::string& path, const std::string& where);
 
 /// The class of the module. Throws Error (Usage) at `where` if there is none.
-pybind11::object find_class(const pybind11::module_& module, const std::string& name,
+pybind11::object find_class(const pybind11::object& module, const std::string& name,
                             const std::string& where);
 
 /// The class with what it leaves out: a constructor, which sets the attributes `robot` and
@@ -38,5 +38,8 @@ pybind11::object make_class_options(const pybind11::object& type, const pybind11
 std::vector<TunableParameter> class_option_ranges(const pybind11::object& type,
                                                   const pybind11::object& options,
                                                   const std::string& where);
+
+/// One line: type, text and where it was raised. Prints the traceback to standard error.
+std::string describe_error(const pybind11::error_already_set& error);
 
 }  // namespace slalom

@@ -4,7 +4,6 @@
 
 #include <slalom/core/error.h>
 #include <slalom/methods/registry.h>
-#include <slalom/python/python_class_method.h>
 #include <slalom/python/python_method.h>
 
 #include <pybind11/numpy.h>
@@ -232,35 +231,6 @@ std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation&
   return create(type, make_class_options(type, values, where), where("class"), robot, sensor);
 }
 
-/// A class with its options, which a forked process uses too.
-class PythonClass {
- public:
-  PythonClass(const py::object& type, const py::object& options, std::string where)
-      : type_(type), options_(options), where_(std::move(where)) {
-    prepare_forks();
-  }
-  // The process ends if there is no memory for the lock.
-  // NOLINTNEXTLINE(bugprone-exception-escape)
-  ~PythonClass() {
-    const py::gil_scoped_acquire lock;
-    type_ = py::object();
-    options_ = py::object();
-  }
-  PythonClass(const PythonClass&) = delete;
-  PythonClass& operator=(const PythonClass&) = delete;
-
-  std::unique_ptr<Method> create_method(const RobotModel& robot, const SensorModel& sensor) {
-    const py::gil_scoped_acquire lock;
-    // A copy, so that no method changes the options of the next.
-    const py::object options = py::module_::import("copy").attr("copy")(options_);
-    return create(type_, options, where_, robot, sensor);
-  }
-
- private:
-  py::object type_, options_;
-  std::string where_;
-};
-
 MethodFactory make_factory(const PythonOptions& options, const OptionLocation& where) {
   return [options, where](const RobotModel& robot, const SensorModel& sensor) {
     return load(options, where, robot, sensor);
@@ -276,17 +246,6 @@ void PythonOptions::visit(OptionVisitor& v) {
 
 MethodFactory python_method(const PythonOptions& options) {
   return make_factory(options, location_of("python_method"));
-}
-
-MethodFactory python_method(const py::object& given, const py::dict& options,
-                            const std::string& where) {
-  const py::object type = complete_class(given, where);
-  const OptionLocation locate = [where](const std::string& key) { return where + " " + key; };
-  const auto shared =
-      std::make_shared<PythonClass>(type, make_class_options(type, options, locate), where);
-  return [shared](const RobotModel& robot, const SensorModel& sensor) {
-    return shared->create_method(robot, sensor);
-  };
 }
 
 MethodFactory read_python_method(const IniFile& ini, const std::string& section) {

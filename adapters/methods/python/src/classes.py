@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Classes that are methods: of the adapter python, which embeds this text, and of the package slalom."""
+
+import copy
+import difflib
+import importlib.util
+import math
+import os
+import sys
+import traceback
+import types
+
+
+class Invalid(Exception):
+    """(where, what, expected)"""
+
+
+def nearest(name, known, otherwise=""):
+    """The expected names, for messages about an unknown one."""
+    close = difflib.get_close_matches(name, known, 1)
+    return f"'{close[0]}'" if close else otherwise or "one of " + ", ".join(known)
+
+
+def import_module(path, where):
+    """The module of a file, whose folder is searched first for modules that it imports."""
+    name = os.path.splitext(os.path.basename(path))[0]
+    sys.path.insert(0, os.path.dirname(path))
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None:
+        raise Invalid(where, f"{path} is not a Python module", "a .py file")
+    module = sys.modules[name] = importlib.util.module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except BaseException as error:
+        raise Invalid(where, f"{path} cannot be imported: {describe(error)}", "") from None
+    return module
+
+
+def find_class(module, name, where):
+    classes = [key for key, value in vars(module).items() if isinstance(value, type)]
+    if name not in classes:
+        raise Invalid(where, f"no class '{name}' in the module", nearest(name, classes, "a class with step()"))
+    return getattr(module, name)
+
+
+def complete(method, where):
+    """The class with what it leaves out: a constructor, which sets the attributes `robot` and `options`, and
+    reset(), which calls the constructor again, so that no run depends on another."""
+    if not callable(getattr(method, "step", None)):
+        name = getattr(method, "__name__", "object")
+        raise Invalid(where, f"{name} has no step()", "a class with step(observation)")
+    if not isinstance(method, type):
+        return method
+    is_constructed = method.__init__ is not object.__init__
+    is_reset = callable(getattr(method, "reset", None))
+    if is_constructed and is_reset:
+        return method
+
+    class Complete(method):
+        def __init__(self, robot, options):
+            if is_constructed:
+                super().__init__(robot, copy.copy(options))
+            else:
+                self.robot, self.options = robot, options
+            self._made_of = robot, options
+
+    def reset(self, task):
+        robot, options = self._made_of
+        self.__dict__.clear()
+        self.__init__(robot, options)
+
+    if not is_reset:
+        Complete.reset = reset
+    for name in ("__name__", "__qualname__", "__module__", "__doc__"):
+        setattr(Complete, name, getattr(method, name))
+    return Complete
+
+
+def make_options(method, values, where):
+    """The options that the class declares as attributes: the given values, else the defaults. Texts become of the
+    type of the default. `where` makes a text of an option's name."""
+    expected = 'options = {"NAME": (DEFAULT, "UNIT", "HELP"), ...}'
+    declared = getattr(method, "options", {})
+    if not isinstance(declared, dict):
+        raise Invalid(where("class"), "options of the class are not a dict", expected)
+    for key, value in declared.items():
+        if not (isinstance(key, str) and isinstance(value, tuple) and len(value) == 3):
+            raise Invalid(where("class"), f"malformed option {key!r}", expected)
+    options = types.SimpleNamespace(**{key: value[0] for key, value in declared.items()})
+    for key, value in values.items():
+        if key not in declared:
+            expected = nearest(key, declared, "" if declared else "no options")
+            raise Invalid(where(key), "unknown option of the class", expected)
+        setattr(options, key, _converted(declared[key][0], value, where(key)))
+    return options
+
+
+def _converted(default, value, where):
+    if not isinstance(value, str):
+        return value
+    for kind, expected in ((bool, "true or false"), (int, "an integer"), (float, "a number")):
+        if isinstance(default, kind):
+            try:
+                converted = {"true": True, "false": False}[value] if kind is bool else kind(value)
+                if math.isfinite(converted):
+                    return converted
+                raise ValueError
+            except (KeyError, ValueError):
+                raise Invalid(where, f"'{value}' is not valid", expected) from None
+    return value
+
+
+def option_ranges(method, options, where):
+    """What the class declares for tuning: a list of (name, default, low, high, log, integer)."""
+    expected = 'option_ranges = {"NAME": (LOW, HIGH) or (LOW, HIGH, "log"), ...} of numeric options'
+    ranges = getattr(method, "option_ranges", {})
+    if not isinstance(ranges, dict):
+        raise Invalid(where, "option_ranges of the class are not a dict", expected)
+    found = []
+    for name, value in ranges.items():
+        try:
+            default = getattr(options, name)
+            low, high, *rest = value
+            if rest not in ([], ["log"]):
+                raise ValueError
+            found.append((name, float(default), float(low), float(high), rest == ["log"], isinstance(default, int)))
+        except (AttributeError, TypeError, ValueError):
+            raise Invalid(where, f"malformed range of '{name}' in option_ranges", expected) from None
+    return found
+
+
+def describe(error):
+    """One line: type, text and where it was raised. The traceback goes to standard error."""
+    traceback.print_exception(type(error), error, error.__traceback__)
+    text = ": ".join(filter(None, (type(error).__name__, str(error)))).replace("\n", " ")
+    frames = [
+        f"{os.path.basename(frame.filename)}:{frame.lineno} in {frame.name}"
+        for frame in traceback.extract_tb(error.__traceback__)
+        if os.path.dirname(frame.filename) != os.path.dirname(__file__) and not frame.filename.startswith("<frozen")
+    ]
+    return text + (f" ({', '.join(frames)})" if frames else "")

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "calls.h"
+#include "results.h"
+
+#include <slalom/analysis/analysis_request.h>
+#include <slalom/analysis/interpreter.h>
+#include <slalom/core/error.h>
+#include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
+#include <slalom/evaluate.h>
+#include <slalom/io/merge_results.h>
+#include <slalom/io/read_results.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace slalom {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Throws Error (Usage) for null.
+const slalom_results& valid(const slalom_results* results) {
+  if (results == nullptr) throw usage_error("results", "are a null pointer", "results");
+  return *results;
+}
+
+template <typename Make>
+char* text_about(const slalom_results* results, Make make) {
+  return guarded<char*>(nullptr, [&] { return to_owned(make(valid(results))); });
+}
+
+Json names_by_run(const std::vector<std::string>& names,
+                  const std::vector<std::uint32_t>& indexes) {
+  Json list = Json::array();
+  for (const std::uint32_t index : indexes) list.push_back(names[index]);
+  return list;
+}
+
+/// A column with the row of a run in it.
+struct RunColumn {
+  const ValueColumn* values;
+  bool by_scenario;
+
+  std::size_t row(const ResultTable& table, std::size_t run) const {
+    return by_scenario ? table.scenario[run] : run;
+  }
+};
+
+/// Metrics, then descriptors: repeatable ones, or wall-clock figures.
+std::vector<RunColumn> columns_of(const ResultTable& table, bool wall_clock) {
+  std::vector<RunColumn> columns;
+  for (const ValueColumn& column : table.metrics)
+    if (column.wall_clock == wall_clock) columns.push_back({&column, false});
+  for (const ValueColumn& column : table.descriptors)
+    if (!wall_clock) columns.push_back({&column, true});
+  return columns;
+}
+
+Json ids_of(const std::vector<RunColumn>& columns) {
+  Json ids = Json::array();
+  for (const RunColumn& column : columns) ids.push_back(column.values->info().id);
+  return ids;
+}
+
+Json reasons_of(const ResultTable& table) {
+  Json reasons = Json::object();
+  for (const RunColumn& column : columns_of(table, false)) {
+    Json& by_run = reasons[column.values->info().id] = Json::object();
+    for (std::size_t run = 0; run < table.size(); ++run)
+      if (const std::size_t row = column.row(table, run); column.values->is_na(row))
+        by_run[std::to_string(run)] = column.values->reason(row);
+  }
+  return reasons;
+}
+
+std::string describe_results(const slalom_results& results) {
+  const ResultTable& table = results.table;
+  Json details = Json::array();
+  for (const RunDetails& run : table.details) details.push_back(run.outcome_detail);
+  return Json({{"columns",
+                {{"scenario", names_by_run(table.scenario_names, table.scenario)},
+                 {"scenario_hash", names_by_run(table.scenario_hashes, table.scenario)},
+                 {"method", names_by_run(table.methods, table.method)},
+                 {"repetition", table.repetition},
+                 {"outcome", names_by_run(table.outcomes, table.outcome)},
+                 {"detail", details}}},
+               {"numbers", ids_of(columns_of(table, false))},
+               {"timing", ids_of(columns_of(table, true))},
+               {"reasons", reasons_of(table)},
+               {"manifest", table.manifest}})
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+double* numbers_of(const ResultTable& table, const std::string& id) {
+  for (const bool wall_clock : {false, true})
+    for (const RunColumn& column : columns_of(table, wall_clock)) {
+      if (column.values->info().id != id) continue;
+      auto* numbers = owned_array<double>(table.size());
+      for (std::size_t run = 0; run < table.size(); ++run)
+        numbers[run] = column.values->number(column.row(table, run));
+      return numbers;
+    }
+  throw usage_error("'" + id + "'", "is not a column", "one of \"numbers\" or \"timing\"");
+}
+
+Trajectory read_trajectory(const slalom_results& results, std::size_t run) {
+  const ResultTable& table = results.table;
+  if (run >= table.size())
+    throw usage_error("run " + std::to_string(run), "is not in the results",
+                      "less than " + std::to_string(table.size()));
+  if (results.files == nullptr) results.files = std::make_unique<ResultFiles>(results.path);
+  const std::string& hash = table.scenario_hashes[table.scenario[run]];
+  for (const ResultFile* file : results.files->with_scenario(hash))
+    if (const auto record = file->read_run(hash, table.methods[table.method[run]],
+                                           static_cast<int>(table.repetition[run])))
+      return file->read_trajectory(*record);
+  throw file_error(results.path, "has no run " + std::to_string(run), "the file of the results");
+}
+
+ResultTable read_table(const std::string& path) {
+  ResultTable table = read_detailed_results(path);
+  if (!table.damaged.empty())
+    throw file_error(path, "damaged: " + join(table.damaged, ", "),
+                     "slalom-analyze, which leaves out what is damaged");
+  return table;
+}
+
+/// Copies a result file, or merges those of a folder.
+void save(const std::string& path, const std::string& output) {
+  if (!ends_with(output, ".results"))
+    throw usage_error(output, "is not the name of a result file", "FILE.results");
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) {
+    require_regular_file(path, "a result file (.results)");
+    std::ifstream file(path, std::ios::binary);
+    return write_file_atomically(output, [&](std::ostream& out) { out << file.rdbuf(); });
+  }
+  const std::vector<std::string> files = campaign_files(path);
+  MergedResults merged(output, files.at(0));
+  for (const std::string& file : files) merged.add(file);
+  merged.publish();
+}
+
+std::string summarize(const slalom_results& results) {
+  const std::vector<Interpreter>& all = all_interpreters();
+  const Interpreter& summary = *std::find_if(
+      all.begin(), all.end(), [](const Interpreter& one) { return one.id == "summary"; });
+  std::vector<ResultTable> tables = {results.table};
+  Interpretation found = interpret(summary, tables, make_query({}, summary, results.table));
+  MethodFailures failures;
+  add_method_failures(results.table, results.path, failures);
+  const auto lines = failures.lines();
+  found.remarks.insert(found.remarks.begin(), lines.begin(), lines.end());
+  return render_text(found);
+}
+
+}  // namespace
+}  // namespace slalom
+
+using namespace slalom;
+
+slalom_results* slalom_results_read(const char* path) {
+  return guarded<slalom_results*>(nullptr, [&] {
+    const std::string file = text_of(path, "path");
+    return new slalom_results{read_table(file), file, nullptr};
+  });
+}
+
+void slalom_results_free(slalom_results* results) {
+  const std::unique_ptr<slalom_results> owner(results);
+}
+
+size_t slalom_results_size(const slalom_results* results) {
+  return results == nullptr ? 0 : results->table.size();
+}
+
+char* slalom_results_json(const slalom_results* results) {
+  return text_about(results, describe_results);
+}
+
+double* slalom_results_numbers(const slalom_results* results, const char* id) {
+  return guarded<double*>(nullptr,
+                          [&] { return numbers_of(valid(results).table, text_of(id, "id")); });
+}
+
+double* slalom_results_trajectory(const slalom_results* results, size_t run, size_t* samples) {
+  return guarded<double*>(nullptr, [&] {
+    if (samples == nullptr) throw usage_error("samples", "is a null pointer", "their number");
+    const Trajectory trajectory = read_trajectory(valid(results), run);
+    auto* numbers = owned_array<double>(trajectory.samples.size() * Sample::kNumbers);
+    double* next = numbers;
+    for (const Sample& sample : trajectory.samples)
+      for (const double number : sample.numbers()) *next++ = number;
+    *samples = trajectory.samples.size();
+    return numbers;
+  });
+}
+
+char* slalom_results_summary(const slalom_results* results) {
+  return text_about(results, summarize);
+}
+
+char* slalom_results_table(const slalom_results* results, const char* rows, const char* columns,
+                           double confidence) {
+  return text_about(results, [&](const slalom_results& given) {
+    return cross_table(given.table, text_of(rows, "rows"), json_of(columns, "columns"), confidence);
+  });
+}
+
+int slalom_results_save(const slalom_results* results, const char* path) {
+  return guarded(-1, [&] {
+    save(valid(results).path, text_of(path, "path"));
+    return 0;
+  });
+}
