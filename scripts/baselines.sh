@@ -16,14 +16,17 @@ bin=${SLALOM_BIN:-build/release/bin}
 all_methods=$(sed -n 's/^methods *= *//p' configs/baselines.ini)
 tracked=rollout_tracks # only for scenarios with movers
 
-# The scenario list $2 of page $1.
+# The scenario list $2 of page $1; one that is there must be that of the documents.
 make_list() {
-  [ -e "$2" ] && return
   if [ "$1" = barn ]; then
-    "$bin/slalom-scenarios" import "${BARN:?the folder of the data set}" -o "$2"
-  else
-    "$bin/slalom-scenarios" generate -c "configs/testbeds/$1.ini" -o "$2" -j "${JOBS:-2}" --quiet
+    [ -e "$2" ] || "$bin/slalom-scenarios" import "${BARN:?the folder of the data set}" -o "$2"
+    return
   fi
+  [ -e "$2" ] || "$bin/slalom-scenarios" generate -c "configs/testbeds/$1.ini" -o "$2" -j "${JOBS:-2}" --quiet
+  local expected hash
+  expected=$(sed -n "s/^| \`$1\` .*\`\([0-9a-f]\{32\}\)\`.*/\1/p" docs/reference/testbeds.md)
+  hash=$("$bin/slalom-scenarios" list "$2" --hash)
+  [ "$hash" = "$expected" ] || { echo "$2: hash $hash; expected $expected of docs/reference/testbeds.md" >&2; exit 1; }
 }
 
 # The rows of page $1 as CSV, by the bins $2, with the columns $3.
