@@ -49,7 +49,7 @@ bundle_method_interface() {
   all=$(mktemp -d)
   cmake --install build/release --prefix "$all" --component development >/dev/null
   (cd "$all" && find . -path ./include/slalom/methods/slalom_method.h -o -path ./include/slalom/slalom.h -o -path '*/cmake/slalom/slalomConfig*.cmake' \
-    -o -path '*/cmake/slalom/slalomTargets.cmake' -o -path '*/cmake/slalom/SlalomMethod.cmake') |
+    -o -path '*/cmake/slalom/slalomTargets*.cmake' -o -path '*/cmake/slalom/SlalomMethod.cmake') |
     tar -C "$all" -T - -c | tar -C "$stage" -x
   rm -rf "$all"
 }
