@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the documents and the API reference as a site that can be read and searched as files, without a network:
 # scripts/docs.sh [FOLDER], default build/release/site (packages doxygen, mkdocs, mkdocs-material and libjs-mathjax). A
-# warning is an error. SLALOM_API=OFF leaves out the reference. The site contains a registry of the shipped methods in
-# slalom-small, which takes the programs of scripts/build.sh and some minutes. SLALOM_REGISTRY: a folder with other
-# entries, such as FOLDER/slalom-standard of scripts/baselines.sh FOLDER; OFF leaves it out.
+# warning is an error. SLALOM_API=OFF leaves out the reference. The site contains the report of the demo and a registry of the
+# shipped methods in slalom-small, which take the programs of scripts/build.sh and some minutes. SLALOM_REGISTRY: a folder with
+# other entries, such as FOLDER/slalom-standard of scripts/baselines.sh FOLDER; OFF leaves out both.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 output=$(realpath -m "${1:-build/release/site}")
@@ -37,6 +37,8 @@ if [ "${SLALOM_REGISTRY:-}" != OFF ]; then
   [ -n "${SLALOM_REGISTRY:-}" ] || scripts/baselines.sh "$work/baselines" slalom-small >"$work/log"
   PATH="$bin:$PATH" REPORTS=0 examples/registry/verify.sh "$entries" "$work/registry" "$work/verifications" >"$work/log" ||
     { cat "$work/log" >&2; exit 1; }
+  (cd "$work" && "$bin/slalom-evaluate" --demo -o "$work/slalom-demo" --quiet >log) || { cat "$work/log" >&2; exit 1; }
+  mv "$work/slalom-demo/report" "$work/demo"
 fi
 
 mkdir "$work/theme"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Hook of mkdocs (scripts/docs.sh): the menu follows docs/README.md, links to headers lead to the API reference, the
-page of registries to that of the site, and the search works in pages opened as files, where browsers fetch no index and
-start no worker of another file."""
+first page to the report of the demo, the page of registries to that of the site, and the search works in pages opened as
+files, where browsers fetch no index and start no worker of another file."""
 import json
 import pathlib
 import posixpath
@@ -33,9 +33,9 @@ def on_config(config):
 
 
 def on_files(files, config):
-    """The API reference and the registry, which are made already."""
+    """The API reference, the registry and the report of the demo, which are made already."""
     made = pathlib.Path(config["extra"]["made"])
-    for part in ("api", "registry"):
+    for part in ("api", "demo", "registry"):
         for file in sorted((made / part).rglob("*")):
             if file.is_file():
                 files.append(File(str(file.relative_to(made)), str(made), config["site_dir"], False))
@@ -63,6 +63,9 @@ def on_page_markdown(markdown, page, config, files):
         return f"[{text}]({posixpath.relpath(path, folder)})" if files.get_file_from_path(path) else text
     if page.file.src_path == "README.md" and files.get_file_from_path("api/index.html"):
         markdown += "\n## API reference\n\n[All modules and headers](api/index.html)\n"
+    if page.file.src_path == "README.md" and files.get_file_from_path("demo/index.html"):
+        title, rest = markdown.split("\n", 1)
+        markdown = f"{title}\n\n[What a report looks like](demo/index.html): the demo, 280 runs of four methods.\n{rest}"
     if page.file.src_path == "guide/registry.md" and files.get_file_from_path("registry/index.html"):
         markdown += "\n[The registry of this site](../registry/index.html)\n"
     return LINK.sub(resolve, FENCE.sub(name, markdown))

@@ -142,6 +142,7 @@ def main(source):
         assert row["method"] == "go_to_goal" and row["verified"].startswith("1 of 2 runs verified"), row
         assert not list(broken_links(site / "registry")), list(broken_links(site / "registry"))
         text = (site / "index.html").read_text()
+        assert 'href="demo/index.html"' in text, "no link to the report of the demo"
         assert all(f'href="{page}' in text for page in pages), "a page is not in the menu"
         with Browser() as browser:
             for page in sorted([site / "index.html", *(site / page for page in pages)]):
