@@ -80,7 +80,8 @@ bundle_stage() {
   done
   bundle_method_interface "$stage"
   mkdir -p "$bundled" "$licenses"
-  rm -f "$stage"/lib*/slalom/runtime/libopencv_imgcodecs.so* # of the name of a library that is bundled
+  # It loads the library of its name that is bundled.
+  mkdir "$stage/codecs" && mv "$stage"/lib*/slalom/runtime/libopencv_imgcodecs.so* "$stage/codecs"
   bundle_python "$stage" >"$stage/packages"
   echo mrpt-common >>"$stage/packages" # of the maps of the demo
   while IFS= read -r -d '' file; do
@@ -97,8 +98,11 @@ bundle_stage() {
     echo "$package" >>"$stage/packages"
   done <"$stage/libraries"
   bundle_older_glibc "$bundled"
+  mv "$stage"/codecs/* "$stage/lib/slalom/runtime" && rmdir "$stage/codecs"
   while IFS= read -r -d '' file; do
-    patchelf --set-rpath "\$ORIGIN/$(realpath --relative-to="$(dirname "$file")" "$bundled")" "$file"
+    path="\$ORIGIN/$(realpath --relative-to="$(dirname "$file")" "$bundled")"
+    [[ $file == "$bundled"/* ]] || path="\$ORIGIN/$(realpath --relative-to="$(dirname "$file")" "$stage/lib/slalom/runtime"):$path"
+    patchelf --set-rpath "$path" "$file"
   done < <(bundle_binaries "$stage")
   sort -u "$stage/packages" | while read -r package; do
     cp -L "/usr/share/doc/$package/copyright" "$licenses/$package"

@@ -19,7 +19,7 @@ namespace {
 thread_local std::string failure;
 slalom_host host = {};
 
-/// What the host has raised in this thread.
+/// An exception of the host in this thread.
 thread_local bool interrupted = false;
 thread_local void* raised[3] = {};
 

@@ -20,7 +20,7 @@ void raise_again();
 /// Begins a function of the interface.
 void begin_call();
 
-/// What `action` returns; `failed`, with the text of the error kept, if it throws.
+/// The result of `action`; `failed`, with the text of the error kept, if it throws.
 template <typename Result, typename Action>
 Result guarded(Result failed, Action action) {
   Result result = failed;

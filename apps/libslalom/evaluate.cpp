@@ -9,6 +9,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,6 +19,20 @@ namespace slalom {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::int64_t kMaxWorkers = 1000;
+
+/// Throws Error (Usage) for another than an integer of the range.
+std::int64_t read_integer(const Json& given, const std::string& key, std::int64_t otherwise,
+                          std::int64_t low, std::int64_t high) {
+  if (!given.contains(key)) return otherwise;
+  const Json& value = given[key];
+  const bool fits = value.is_number_integer() && value >= low && value <= high;
+  if (!fits)
+    throw usage_error("options " + key, "'" + value.dump() + "' is not valid",
+                      "an integer in [" + std::to_string(low) + ", " + std::to_string(high) + "]");
+  return value;
+}
 
 /// Sets what evaluate() has besides the sections of an .ini.
 Options read_evaluation(const Json& given) {
@@ -32,9 +47,10 @@ Options read_evaluation(const Json& given) {
        {std::pair("metrics", &options.metrics), std::pair("descriptors", &options.descriptors)})
     if (given.contains(key) && !given[key].is_null())
       *ids = given[key].get<std::vector<std::string>>();
-  options.seed = given.value("seed", std::uint64_t{1});
-  options.repetitions = given.value("repetitions", 1);
-  options.workers = given.value("workers", 1);
+  constexpr auto kMaxSeed = std::numeric_limits<std::int64_t>::max();
+  options.seed = static_cast<std::uint64_t>(read_integer(given, "seed", 1, 0, kMaxSeed));
+  options.repetitions = static_cast<int>(read_integer(given, "repetitions", 1, 1, 1000000));
+  options.workers = static_cast<int>(read_integer(given, "workers", 1, 0, kMaxWorkers));
   options.in_process = given.value("in_process", false);
   options.output = given.value("output", "");
   return options;

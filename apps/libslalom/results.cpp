@@ -10,6 +10,7 @@
 #include <slalom/evaluate.h>
 #include <slalom/io/merge_results.h>
 #include <slalom/io/read_results.h>
+#include <slalom/report/report.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -195,6 +196,12 @@ double* slalom_results_trajectory(const slalom_results* results, size_t run, siz
       for (const double number : sample.numbers()) *next++ = number;
     *samples = trajectory.samples.size();
     return numbers;
+  });
+}
+
+char* slalom_results_html(const slalom_results* results) {
+  return text_about(results, [](const slalom_results& given) {
+    return first_screen(given.path, given.table, report_options(given.table));
   });
 }
 

@@ -87,6 +87,11 @@ std::string describe_scenario(const Scenario& scenario) {
 std::vector<Scenario> generate_family(const std::string& family, int count, std::uint64_t seed,
                                       int workers, const Json& settings, slalom_progress progress,
                                       void* context) {
+  if (count < 1 || workers < 0)
+    throw usage_error("generate",
+                      std::to_string(count) + " scenarios by " + std::to_string(workers) +
+                          " threads cannot be made",
+                      "at least 1 by 0 or more");
   const IniFile ini = to_ini(settings);
   Options options;
   read_run_options(ini, options);

@@ -119,6 +119,7 @@ TEST(CInterface, ResultsAreThoseOfTheSameRunsInAFile) {
   const Results read(slalom_results_read((folder / "a.results").c_str()), slalom_results_free);
   ASSERT_EQ(slalom_results_size(read.get()), 3U) << slalom_error();
   EXPECT_EQ(taken(slalom_results_summary(made.get())), taken(slalom_results_summary(read.get())));
+  EXPECT_NE(taken(slalom_results_html(made.get())).find(">gap<"), std::string::npos);
   const Json described = Json::parse(taken(slalom_results_json(read.get())));
   EXPECT_EQ(described["manifest"]["campaign.seed"], "7");
   const std::unique_ptr<double, decltype(&slalom_free)> times(
@@ -161,9 +162,13 @@ TEST(CInterface, WhatCannotBeIsAnErrorWithItsReason) {
   incomplete.finish = nullptr;
   EXPECT_EQ(error_of(kGap, "{"), "options: is not JSON; expected see slalom.h");
   EXPECT_EQ(error_of(kGap, R"({"seeds": 1})"), "options: unknown key 'seeds'; expected 'seed'");
-  EXPECT_NE(error_of(kGap, R"({"seed": "x"})").find("an argument is not as slalom.h says"),
+  EXPECT_NE(error_of(kGap, R"({"output": 1})").find("an argument is not as slalom.h says"),
             std::string::npos);
-  EXPECT_NE(error_of("{}", "{}").find("no method given"), std::string::npos);
+  for (const std::string number : {"-1", "0.5", "1e300", "\"x\"", "18446744073709551615"})
+    EXPECT_EQ(error_of(kGap, "{\"seed\": " + number + "}").rfind("options seed: '", 0), 0U)
+        << number;
+  EXPECT_NE(error_of(kGap, R"({"workers": 4294967297})").find("[0, 1000]"), std::string::npos);
+  EXPECT_NE(error_of("{}", "{}").find("methods: none given"), std::string::npos);
   EXPECT_NE(error_of(R"([{"keys": {}}])", "{}").find("'name' not found"), std::string::npos);
   EXPECT_NE(error_of(kGap, R"({"settings": {"robot": {"raduis": "1"}}})").find("'radius'"),
             std::string::npos);

@@ -2,6 +2,7 @@
 """The Python package slalom."""
 
 import copy
+import html
 import importlib.util
 import inspect
 import io
@@ -311,7 +312,7 @@ class Package(unittest.TestCase):
     def test_invalid_arguments_are_errors(self):
         for message, call in {
             "unknown key; expected 'radius'": lambda: slalom.evaluate({"a": Direct}, small(1), robot={"raduis": 1}),
-            "no method given": lambda: slalom.evaluate({}, small(1)),
+            "methods: none given": lambda: slalom.evaluate({}, small(1)),
             "no scenario given": lambda: slalom.evaluate({"a": Direct}, []),
             "has no step()": lambda: slalom.evaluate({"a": object}, small(1)),
             "unknown option of the class; expected 'speed'": lambda: slalom.evaluate(
@@ -320,10 +321,45 @@ class Package(unittest.TestCase):
             "unknown holonomic method class": lambda: slalom.evaluate({"a": slalom.mrpt_holonomic("X")}, small(1)),
             "unknown generator": lambda: slalom.generate("randm", 1),
             "max_size": lambda: slalom.generate("random", 1, max_size="many"),
+            "seed: -1 is not valid": lambda: slalom.evaluate({"a": Direct}, small(1), seed=-1),
+            "workers: -1 is not valid": lambda: slalom.evaluate({"a": Direct}, small(1), workers=-1),
+            "repetitions: 1099511627776 is not valid": lambda: slalom.evaluate({"a": Direct}, small(1), repetitions=2**40),
+            "count: -1 is not valid": lambda: slalom.generate("random", -1),
+            "seed: 0.5 is not valid": lambda: slalom.generate("random", 1, seed=0.5),
+            "expected {NAME: METHOD, ...}": lambda: slalom.evaluate(slalom.plugin("libslalom_mppi.so"), small(1)),
+            "methods: [": lambda: slalom.evaluate([Direct], small(1)),
+            "expected ['success']": lambda: slalom.evaluate({"a": Direct}, small(1), metrics="success"),
+            "is not a list of scenarios": lambda: slalom.evaluate({"a": Direct}, small(1)[0]),
+            "robot: 5 is not a dict": lambda: slalom.evaluate({"a": Direct}, small(1), robot=5),
+            "robot radius: None is not valid": lambda: slalom.evaluate({"a": Direct}, small(1), robot={"radius": None}),
+            "is not a class": lambda: slalom.evaluate({"a": Direct(None, types.SimpleNamespace(speed=1))}, small(1)),
         }.items():
             with self.assertRaises(slalom.Error, msg=message) as raised:
                 call()
             self.assertIn(message, str(raised.exception))
+
+    def test_a_function_of_an_observation_is_a_method(self):
+        def turns(o):
+            return 0.3, 0.3 if o.goal_y > 0 else -0.3
+
+        class Turns:
+            def step(self, o):
+                return turns(o)
+
+        results = slalom.evaluate({"a": turns, "b": lambda o: turns(o), "c": Turns}, small(2), **QUICK)
+        for name in ("outcome", "time_to_goal"):
+            for first in (0, 3):
+                np.testing.assert_array_equal(results[name][first : first + 2], results[name][first + 1 : first + 3])
+
+    def test_a_method_of_the_adapter_python_runs_in_this_interpreter(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "mine.py")
+            path.write_text("class Mine:\n    options = {'v': (0.2, 'm/s', 'speed')}\n    def step(self, o): return self.options.v, 0\n")
+            method = {"adapter": "python", "module": path, "class": "Mine", "v": 0.3}
+            results = slalom.evaluate({"a": method, "b": lambda o: (0.3, 0)}, small(1), **QUICK)
+            self.assertEqual(results["detail"][0], results["detail"][1])
+            with self.assertRaisesRegex(slalom.Error, "no class 'Mane' in the module; expected 'Mine'"):
+                slalom.evaluate({"a": {**method, "class": "Mane"}}, small(1))
 
     def test_a_constructor_that_raises_is_an_error(self):
         class Refuses(Direct):
@@ -518,6 +554,15 @@ class FilesAndFigures(unittest.TestCase):
         with mock.patch("os.path.isfile", return_value=False), mock.patch("shutil.which", return_value=None):
             with self.assertRaisesRegex(slalom.Error, "slalom-analyze is not installed; expected the package slalom"):
                 self.results.report(self.path("report"))
+
+    def test_notebooks_show_the_first_screen_of_the_report(self):
+        shown = self.results._repr_html_()
+        self.assertRegex(shown, r'^<iframe srcdoc="&lt;!DOCTYPE html&gt;')
+        page = html.unescape(re.search('srcdoc="([^"]*)"', shown)[1])
+        for word in ("gap", "direct", "fails", "How sure?", "</style>", "</html>"):
+            self.assertIn(word, page)
+        self.assertNotIn("<script", page)
+        self.assertNotIn("report.css", page)
 
     def test_comparisons_name_the_difference(self):
         text = self.results.compare(metrics=["success"], baseline="gap")

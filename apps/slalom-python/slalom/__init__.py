@@ -17,6 +17,7 @@ import contextlib
 import ctypes
 import difflib
 import functools
+import html
 import itertools
 import json
 import os
@@ -29,7 +30,7 @@ import weakref
 from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, TextIO, Tuple, Union
 
 
-from ._library import Call, Error, Handle, find_library, load, numpy, taken_array, to_json, to_settings
+from ._library import Call, Error, Handle, find_library, load, numpy, taken_array, to_json, to_settings, whole
 from ._methods import FUNCTIONS, described
 
 if sys.argv[:1] != ["-m"]:  # that is python -m slalom, which only looks for a program
@@ -72,8 +73,8 @@ TRAJECTORY_COLUMNS = (
 )
 
 
-#: A class, a class and its options, or keys as in an .ini: see docs/methods/methods.md.
-Method = Union[type, Tuple[type, Dict[str, Any]], Dict[str, Any]]
+#: A class, a function of an observation, a class and its options, or keys as in an .ini: see docs/methods/methods.md.
+Method = Union[type, Callable[[Any], Sequence[float]], Tuple[type, Dict[str, Any]], Dict[str, Any]]
 
 
 #: True: a bar on a terminal or in a notebook. False: none. Or a function that is called with the phase,
@@ -167,6 +168,8 @@ def _scenarios_of(address: int) -> List[Scenario]:
 
 
 def _list_of(scenarios: Sequence[Scenario]) -> Handle:
+    if isinstance(scenarios, Scenario) or not all(isinstance(one, Scenario) for one in scenarios):
+        raise Error(f"scenarios: {scenarios!r} is not a list of scenarios; expected that of generate() or read_scenarios()")
     handle = Handle(load().slalom_scenarios_new(), "slalom_scenarios_free")
     for scenario in scenarios:
         load().slalom_scenarios_add(handle, *scenario._place)
@@ -211,7 +214,7 @@ class Figure(str):
 
 class Results(Columns):
     """The results by column, one value per run, in the order of scenario, method and repetition.
-    As text it is a summary of the methods.
+    As text it is a summary of the methods; notebooks show the first screen of the report.
 
     pandas.DataFrame(results) is a data frame. Metrics and descriptors are float64 arrays, NaN where
     a value is not available; `reasons[column][row]`, and the column "reasons", say why. `timing` has columns of
@@ -246,6 +249,11 @@ class Results(Columns):
 
     def __repr__(self) -> str:
         return load().slalom_results_summary(self._table)
+
+    def _repr_html_(self) -> str:
+        page = html.escape(load().slalom_results_html(self._table))
+        grow = "this.style.height = this.contentDocument.documentElement.scrollHeight + 'px'"
+        return f'<iframe srcdoc="{page}" onload="{grow}" style="border: 0; width: 100%; height: 30em"></iframe>'
 
     def table(self, rows: str, columns: Sequence[str], confidence: float = 0.95) -> str:
         """Tables of metrics in bins of a descriptor, one per method, as text. `rows` is "all",
@@ -304,6 +312,10 @@ class Results(Columns):
             _analyze("figure", [self], dict(options, output=path))
             with open(path, encoding="utf-8") as file:
                 return Figure(file.read())
+
+
+    #: As of figure().
+    plot = figure
 
 
 def _trajectory(table: Handle, run: int) -> Any:
@@ -384,8 +396,9 @@ def generate(
         "generator." + family: options,
     }
     settings = to_json(to_settings(sections))
+    numbers = whole("count", count, 1, 2**31 - 1), whole("seed", seed, 0, 2**63 - 1), whole("workers", workers, 0, 1000)
     with _drawn(progress) as report, Call(report) as call:
-        made = load().slalom_scenarios_generate(family.encode(), count, seed, workers, settings, call.report, None)
+        made = load().slalom_scenarios_generate(str(family).encode(), *numbers, settings, call.report, None)
     return _scenarios_of(made)
 
 
@@ -413,7 +426,7 @@ def evaluate(
 ) -> Results:
     """Runs every method in every scenario and computes metrics and descriptors.
 
-    `methods` is a dict from names to classes, pairs of a class and a dict of its options, or what
+    `methods` is a dict from names to classes, functions of an observation, pairs of a class and a dict of its options, or what
     barrier_filter(), mrpt_holonomic(), onnx() and plugin() return. `robot`, `sensor`, `odometry`, `simulation`, `limits`,
     `tracks` and `people` are dicts of the keys of these sections in a campaign's .ini, `lasers` a dict of names to the keys
     of [laser.NAME]. Methods run in worker processes, unless
@@ -439,12 +452,12 @@ def evaluate(
     try:
         options = {
             "settings": to_settings(sections),
-            "metrics": None if metrics is None else list(metrics),
-            "descriptors": None if descriptors is None else list(descriptors),
-            "seed": seed,
-            "repetitions": repetitions,
-            "workers": workers,
-            "in_process": in_process,
+            "metrics": _ids("metrics", metrics),
+            "descriptors": _ids("descriptors", descriptors),
+            "seed": whole("seed", seed, 0, 2**63 - 1),
+            "repetitions": whole("repetitions", repetitions, 1, 1000000),
+            "workers": whole("workers", workers, 0, 1000),
+            "in_process": bool(in_process),
             "output": path,
         }
         with described(methods) as given, _drawn(progress) as report, Call(report) as call:
@@ -465,6 +478,12 @@ def evaluate(
     # Copies of the results share the table, and so the file.
     weakref.finalize(results._table, _remove, path)
     return results
+
+
+def _ids(name: str, given: Optional[Sequence[str]]) -> Optional[List[str]]:
+    if isinstance(given, str):
+        raise Error(f"{name}: {given!r} is not a list; expected [{given!r}]")
+    return None if given is None else list(given)
 
 
 #: Numbers in the names of files, by which comparisons tell results from each other.

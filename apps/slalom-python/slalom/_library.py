@@ -75,6 +75,7 @@ _FUNCTIONS = {
     "slalom_results_json": ("owned", (c_void_p,)),
     "slalom_results_numbers": ("new", (c_void_p, c_char_p)),
     "slalom_results_trajectory": ("new", (c_void_p, c_size_t, c_void_p)),
+    "slalom_results_html": ("owned", (c_void_p,)),
     "slalom_results_summary": ("owned", (c_void_p,)),
     "slalom_results_table": ("owned", (c_void_p, c_char_p, c_char_p, c_double)),
     "slalom_results_save": (c_int, (c_void_p, c_char_p)),
@@ -197,6 +198,13 @@ def to_section(values: Any, where: str) -> dict:
 def to_settings(sections: dict) -> dict:
     """The sections that are given, as texts. Raises Error."""
     return {name: to_section(values, name) for name, values in sections.items() if values is not None}
+
+
+def whole(name: str, number: Any, low: int, high: int) -> int:
+    """The number. Raises Error for another than an integer of [low, high]."""
+    if not hasattr(number, "__index__") or not low <= number <= high:
+        raise Error(f"{name}: {number!r} is not valid; expected an integer in [{low}, {high}]")
+    return int(number)
 
 
 class Call:

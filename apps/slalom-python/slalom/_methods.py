@@ -224,7 +224,10 @@ def _message(what: str, expected: str) -> str:
 
 
 def _own(kind: Any, values: Mapping[str, Any], where: str) -> int:
-    """The number of a class whose options are valid."""
+    """The number of a class, or of a function of an observation, whose options are valid."""
+    if callable(kind) and not isinstance(kind, type) and not hasattr(kind, "step"):
+        function = kind
+        kind = type(getattr(function, "__name__", "function"), (), {"step": lambda self, o: function(o)})
     complete = _classes.complete(kind, where)
     _classes.make_options(complete, values, lambda key: f"{where} {key}")
     number = next(_numbers)
@@ -250,6 +253,8 @@ def _described(name: str, method: Any) -> Dict[str, Any]:
 def described(methods: Mapping[str, Any]) -> Iterator[List[Dict[str, Any]]]:
     """The methods as of slalom_evaluate(), during the call. Raises Error."""
     made: List[Dict[str, Any]] = []
+    if not isinstance(methods, Mapping) or "adapter" in methods:
+        raise Error(f"methods: {methods!r} is not a dict of methods; expected {{NAME: METHOD, ...}}")
     try:
         for name, method in methods.items():
             made.append(_described(str(name), method))

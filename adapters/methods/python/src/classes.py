@@ -46,11 +46,11 @@ def find_class(module, name, where):
 def complete(method, where):
     """The class with what it leaves out: a constructor, which sets the attributes `robot` and `options`, and
     reset(), which calls the constructor again, so that no run depends on another."""
-    if not callable(getattr(method, "step", None)):
-        name = getattr(method, "__name__", "object")
-        raise Invalid(where, f"{name} has no step()", "a class with step(observation)")
+    expected = "a class with step(observation)"
     if not isinstance(method, type):
-        return method
+        raise Invalid(where, f"{method!r} is not a class", expected)
+    if not callable(getattr(method, "step", None)):
+        raise Invalid(where, f"{method.__name__} has no step()", expected)
     is_constructed = method.__init__ is not object.__init__
     is_reset = callable(getattr(method, "reset", None))
     if is_constructed and is_reset:

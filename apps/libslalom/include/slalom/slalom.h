@@ -145,6 +145,8 @@ SLALOM_LIBRARY_EXPORT double* slalom_results_numbers(const slalom_results* resul
  */
 SLALOM_LIBRARY_EXPORT double* slalom_results_trajectory(const slalom_results* results, size_t run,
                                                         size_t* samples);
+/* The first screen of a report as a page of its own, without links and pictures. */
+SLALOM_LIBRARY_EXPORT char* slalom_results_html(const slalom_results* results);
 /* What slalom-analyze summary prints. */
 SLALOM_LIBRARY_EXPORT char* slalom_results_summary(const slalom_results* results);
 /* Tables of metrics (a list of ids) in bins of a descriptor: "all", "density:4", "density:q4",

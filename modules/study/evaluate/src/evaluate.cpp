@@ -107,7 +107,7 @@ std::vector<Scenario> without_duplicates(const std::vector<Scenario>& scenarios)
 
 ResultTable evaluate(const Methods& methods, const std::vector<Scenario>& scenarios,
                      const Options& options) {
-  if (methods.list().empty()) throw usage_error("evaluate", "no method given", "Methods::add()");
+  if (methods.list().empty()) throw usage_error("methods", "none given", "at least one");
   if (scenarios.empty()) throw usage_error("evaluate", "no scenario given", "generate()");
   PrivilegedMethods privileged;
   const Campaign campaign{

@@ -235,6 +235,24 @@ void write_report(const std::string& results, ResultTable runs, const ReportOpti
       write(name, name == "index.html" ? index_page(text, input, leaderboard, headlines) : text);
 }
 
+std::string first_screen(const std::string& results, ResultTable runs,
+                         const ReportOptions& options) {
+  mark_privileged(runs);
+  ReportInput input = make_report_input(runs, options);
+  if (!results.empty()) add_method_failures(runs, results, input.failures);
+  const CommonFacts facts(runs.methods.size(), options.robot);
+  const Leaderboard leaderboard(input, facts);
+  const auto& pages = report_pages();
+  const std::string& page = pages.at("index.html");
+  std::string screen = page.substr(0, page.find("<nav ")) + "</body>\n</html>\n";
+  const std::string link = "<link rel=\"stylesheet\" href=\"report.css\">";
+  screen.replace(screen.find(link), link.size(),
+                 "<style>" + pages.at("report.css") +
+                     " .failures { display: none !important } a { color: inherit; pointer-events: "
+                     "none }</style>");
+  return index_page(screen, input, leaderboard, {});
+}
+
 void remove_report(const std::string& directory) {
   const auto removed = [&directory](const std::string& name) {
     std::error_code error;

@@ -255,7 +255,7 @@ TEST(Evaluate, RejectsInvalidOptionsWithTheirName) {
 }
 
 TEST(Evaluate, RejectsMissingAndDuplicateInput) {
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "evaluate: ", {"no method", "Methods::add()"},
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "methods: ", {"none given", "at least one"},
                            [] { evaluate({}, two_fields()); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "evaluate: ", {"no scenario", "generate()"},
                            [] { evaluate(towards_goal_only(), {}); }));

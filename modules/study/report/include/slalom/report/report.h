@@ -48,6 +48,12 @@ ReportOptions report_options(const ResultTable& runs);
 void write_report(const std::string& results, ResultTable runs, const ReportOptions& options,
                   const std::string& directory);
 
+/// The first screen of that report as a page of its own, for notebooks: without scripts, what
+/// failures have in common, and pictures; links are texts. `results` is "" for runs that are in no
+/// file.
+std::string first_screen(const std::string& results, ResultTable runs,
+                         const ReportOptions& options);
+
 /// One page with all pages and data of the report, or of the reports, that write_report() has
 /// written into `directory`: for mail. Links to rawlogs are left out. Throws Error (File).
 std::string packed_report(const std::string& directory);
