@@ -7,8 +7,8 @@
 # checked only where its keyring is installed. The folder has a space in its name.
 # Without any package installed there: the demo, the first campaign of the README with its report, a method in Python, a
 # neural network, a process by LCM; the values of the runs of follow_the_gap in the demo are printed as a hash, which is
-# that of all systems. Then, with a compiler and Xvfb of that system: the methods of the tutorial and of examples/library_method
-# in C++ and C, and Slalom Studio. Nothing is left when the folder is removed.
+# that of all systems. Then, with a compiler, Python and Xvfb of that system: the methods of the tutorial and of
+# examples/library_method in C++ and C, examples/c_interface, import slalom, and Slalom Studio. Nothing is left when the folder is removed.
 # Environment variables: BUNDLES, a folder with bundles that are verified there, such as FOLDER/slalom-standard of
 # scripts/baselines.sh FOLDER; FRACTION, the part of their scenarios (0.02).
 # Runs as root; needs the packages debootstrap (for Debian, or mmdebstrap), iproute2, util-linux and zstd. Not part of

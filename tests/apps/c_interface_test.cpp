@@ -46,22 +46,16 @@ std::string error_of(const std::string& methods, const std::string& options,
 }
 
 /// A method of this program, of which the type says what it does.
-enum Type : std::uint64_t {
-  kTurns = 1,
-  kRefuses = 2,
-  kFails = 3,
-  kSaysNothing = 4,
-  kUndescribed = 5
-};
+enum Type : std::uint64_t { Turns = 1, Refuses = 2, Fails = 3, SaysNothing = 4, Undescribed = 5 };
 const slalom_own_methods kOwn = {
     [](std::uint64_t type, const char* options, const slalom_robot* robot) -> std::uint64_t {
       EXPECT_EQ(std::string(options), "{}");
       EXPECT_EQ(robot->rays, 181);
-      slalom_reply(type == kRefuses ? "it refuses"
-                   : type == kUndescribed
+      slalom_reply(type == Refuses ? "it refuses"
+                   : type == Undescribed
                        ? "{}"
                        : R"({"uses_tracks": false, "uses_map": false, "tunable": []})");
-      return type == kRefuses ? 0 : type;
+      return type == Refuses ? 0 : type;
     },
     [](std::uint64_t, const slalom_task* task, const double* heading, const slalom_map* map) {
       EXPECT_GT(task->control_period, 0);
@@ -74,8 +68,8 @@ const slalom_own_methods kOwn = {
       EXPECT_EQ(o->rays, 181U);
       EXPECT_EQ(count, 0U);
       slalom_reply("it fails");
-      if (method != kSaysNothing) *command = {0, 0.5, 0};
-      return method == kFails ? 1 : 0;
+      if (method != SaysNothing) *command = {0, 0.5, 0};
+      return method == Fails ? 1 : 0;
     },
     [](std::uint64_t, const char*) { return 0; }, [](std::uint64_t) {}};
 
