@@ -25,10 +25,19 @@ Interval rate_difference_interval(double rate_a, double n_a, double rate_b, doub
                        difference_interval(rate_a, a, rate_b, b, phi));
 }
 
+double paired_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr std::size_t kFewMeans = 6;
+  const auto is_outcome = [](double value) { return value == 0 || value == 1; };
+  const bool are_outcomes =
+      std::all_of(a.begin(), a.end(), is_outcome) && std::all_of(b.begin(), b.end(), is_outcome);
+  const double correlation = pearson(a, b).value_or(0);
+  return are_outcomes || a.size() >= kFewMeans ? correlation : std::min(correlation, 0.0);
+}
+
 Interval paired_rate_interval(const std::vector<double>& a, const std::vector<double>& b,
                               double confidence) {
   const double n = static_cast<double>(a.size());
-  return rate_difference_interval(mean(a), n, mean(b), n, pearson(a, b).value_or(0), confidence);
+  return rate_difference_interval(mean(a), n, mean(b), n, paired_correlation(a, b), confidence);
 }
 
 std::vector<double> holm_adjusted(const std::vector<double>& p) {

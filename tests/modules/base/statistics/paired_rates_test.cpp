@@ -96,6 +96,29 @@ TEST(RateTests, PairedIntervalHasNominalCoverage) {
   EXPECT_LT(covered, 0.99 * trials);
 }
 
+TEST(RateTests, PairedIntervalsOfFewMeansContainTheDifference) {
+  // Two methods with the same success in each scenario, which differs from scenario to scenario.
+  RandomEngine engine(5);
+  for (const int scenarios : {2, 3, 4, 5, 6, 10}) {
+    int covered = 0;
+    const int trials = 500, runs = 3;
+    for (int trial = 0; trial < trials; ++trial) {
+      std::vector<double> a, b;
+      for (int i = 0; i < scenarios; ++i) {
+        const double success = uniform_real(engine, 0, 1);
+        for (std::vector<double>* side : {&a, &b}) {
+          int reached = 0;
+          for (int run = 0; run < runs; ++run) reached += uniform_real(engine, 0, 1) < success;
+          side->push_back(static_cast<double>(reached) / runs);
+        }
+      }
+      const Interval interval = paired_rate_interval(a, b, 0.95);
+      covered += interval.low <= 0 && 0 <= interval.high;
+    }
+    EXPECT_GT(covered, 0.92 * trials) << scenarios;
+  }
+}
+
 TEST(RateTests, HolmAgreesWithAWorkedExample) {
   // P values 0.01, 0.04, 0.03, 0.005 at 0.05: the first and the last are rejected ("Holm-Bonferroni
   // method", Wikipedia). 4 x 0.005, 3 x 0.01, 2 x 0.03, and 0.04 no less than that.

@@ -250,7 +250,7 @@ void add_effect(PairedComparison& comparison, const PairedValues& values,
   add_ratio(comparison, values.a, values.b, confidence);
   if (!info.range.is_bounded()) return;
   if (info.kind == QuantityKind::Score) {
-    add_difference_of_sides(comparison, values.a, values.b, pearson(a, b).value_or(0), confidence);
+    add_difference_of_sides(comparison, values.a, values.b, paired_correlation(a, b), confidence);
   } else if (is_within(info.range, *comparison.mean_a) &&
              is_within(info.range, *comparison.mean_b)) {
     comparison.interval = gaffke_interval(moments_of(singles(differences)), singles(differences),

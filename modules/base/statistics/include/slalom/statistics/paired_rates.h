@@ -21,8 +21,13 @@ double mcnemar_exact(std::size_t only_a, std::size_t only_b);
 Interval rate_difference_interval(double rate_a, double n_a, double rate_b, double n_b, double phi,
                                   double confidence);
 
-/// The same for paired rates in [0, 1], one per scenario: n is the number of scenarios, phi the
-/// correlation of the two (0 if one is constant). With one run per scenario it is Newcombe's paired
+/// The correlation of paired values for the interval of their difference: Pearson's, 0 if one side
+/// is constant, and at most 0 for fewer than six pairs of means, since a positive one makes the
+/// interval narrow: that of two pairs is always 1 or -1.
+double paired_correlation(const std::vector<double>& a, const std::vector<double>& b);
+
+/// The same for paired rates in [0, 1], one per scenario: n is the number of scenarios, phi their
+/// paired_correlation(). With one run per scenario it is Newcombe's paired
 /// method 8. Requires equal sizes and at least one pair.
 Interval paired_rate_interval(const std::vector<double>& a, const std::vector<double>& b,
                               double confidence);
