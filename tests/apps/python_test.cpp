@@ -137,6 +137,8 @@ TEST_F(PythonProgramTest, AnEnvironmentOfAnotherVersionIsNotUsedAndNamedWhereAMo
   EXPECT_EQ(runs("none", "", environment), runs("none"));
   expect_outcome("method_error", "/env, which was not used; expected an environment of Python 3.",
                  runs("package", "", environment));
+  expect_outcome("method_error", "CONDA_PREFIX is /opt/conda, which was not used; expected",
+                 runs("package", "", "-u VIRTUAL_ENV CONDA_PREFIX=/opt/conda"));
 }
 
 TEST_F(PythonProgramTest, AnotherModuleIsAnotherCampaign) {

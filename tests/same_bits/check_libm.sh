@@ -50,10 +50,10 @@ folder_of() {
   esac
 }
 
-# "MODULE FUNCTION FILE(OBJECT)" of each undefined symbol that is an inexact function.
+# "MODULE FUNCTION FILE(OBJECT)" of each undefined symbol that is an inexact function. libslalom.so is made of the modules.
 calls() {
   local file module
-  for file in "$build"/lib/libslalom_*.a "$build"/lib/slalom/{,runtime/}*.so; do
+  for file in "$build"/lib/libslalom_*.a "$build"/lib/slalom/{,runtime/}libslalom_*.so; do
     [ -e "$file" ] || continue
     module=$(basename "$file" | sed -E 's/^libslalom_(.*)\.(a|so)$/\1/; s/_parts$//')
     nm -C -u -A $([[ $file == *.so ]] && echo -D) "$file" 2>/dev/null |

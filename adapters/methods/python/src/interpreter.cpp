@@ -17,9 +17,9 @@ namespace {
 const std::string kVersion =
     std::to_string(PY_MAJOR_VERSION) + "." + std::to_string(PY_MINOR_VERSION);
 
-/// VIRTUAL_ENV, or "".
-std::filesystem::path environment() {
-  const char* folder = std::getenv("VIRTUAL_ENV");
+/// The folder of an activated environment, or "".
+std::filesystem::path environment(const char* name) {
+  const char* folder = std::getenv(name);
   return folder == nullptr ? "" : folder;
 }
 
@@ -29,9 +29,22 @@ bool is_of_this_version(const std::filesystem::path& environment) {
   return std::filesystem::is_directory(environment / "lib" / ("python" + kVersion), ignored);
 }
 
+/// The environment that could be meant where a module is missing. Conda has a standard library of
+/// its own.
+std::string unused_environment() {
+  for (const std::string name : {"VIRTUAL_ENV", "CONDA_PREFIX"}) {
+    const std::filesystem::path folder = environment(name.c_str());
+    if (!folder.empty() && (name == "CONDA_PREFIX" || !is_of_this_version(folder)))
+      return "; " + name + " is " + folder.string() +
+             ", which was not used; expected an environment of Python " + kVersion +
+             " by venv, or slalom.evaluate() in its own Python";
+  }
+  return "";
+}
+
 /// Environments of Python are found through the path of their interpreter.
 std::string interpreter_path() {
-  const std::filesystem::path folder = environment();
+  const std::filesystem::path folder = environment("VIRTUAL_ENV");
   return is_of_this_version(folder) ? (folder / "bin" / "python3").string()
                                     : SLALOM_PYTHON_EXECUTABLE;
 }
@@ -90,10 +103,7 @@ void start_interpreter() {
 
 std::string describe(const pybind11::error_already_set& error) {
   std::string text = describe_error(error);
-  if (error.matches(PyExc_ModuleNotFoundError) && !environment().empty() &&
-      !is_of_this_version(environment()))
-    text += "; VIRTUAL_ENV is " + environment().string() +
-            ", which was not used; expected an environment of Python " + kVersion;
+  if (error.matches(PyExc_ModuleNotFoundError)) text += unused_environment();
   return text;
 }
 
