@@ -9,6 +9,7 @@ import io
 import math
 import os
 import pathlib
+import pickle
 import re
 import shutil
 import signal
@@ -91,6 +92,7 @@ class CertifyTest(unittest.TestCase):
             ("limit", {"of": "passage.width", "budget": "x"}, "limit budget"),
             ("limit", {"of": "passage.width", "budgets": 1}, "unknown key 'budgets'"),
             ("risk", {"at_most": 2}, "--at-most 2"),
+            ("risk", {"workers": 2**40}, "workers: 1099511627776 is not valid"),
         ):
             with self.assertRaisesRegex(slalom.Error, words):
                 slalom.certify(kind, Direct, **question)
@@ -593,6 +595,11 @@ class FilesAndFigures(unittest.TestCase):
         del copied
         self.assertFalse(file.exists())
 
+    def test_results_are_not_copied_into_other_memory(self):
+        for copied in (pickle.dumps, copy.deepcopy):
+            with self.assertRaisesRegex(TypeError, "cannot be pickled or copied"):
+                copied(self.results)
+
     def test_misspelled_columns_are_answered_with_the_nearest(self):
         for columns, wrong, right in (
             (self.results, "sucess", "success"),
@@ -721,6 +728,13 @@ class Programs(unittest.TestCase):
 
 
 class Scenarios(unittest.TestCase):
+    def test_copies_of_scenarios_are_equal_and_any_iterable_of_them_is_a_list(self):
+        scenarios = small()
+        self.assertEqual(pickle.loads(pickle.dumps(scenarios)), scenarios)
+        self.assertEqual(copy.deepcopy(scenarios), scenarios)
+        results = slalom.evaluate({"a": lambda o: (0, 0)}, (one for one in scenarios), **QUICK)
+        self.assertEqual(len(results["scenario"]), 3)
+
     def test_generation_is_repeatable(self):
         self.assertEqual(small(), small())
         self.assertEqual(len({scenario.hash for scenario in small()}), 3)

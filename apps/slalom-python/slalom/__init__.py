@@ -168,10 +168,11 @@ def _scenarios_of(address: int) -> List[Scenario]:
 
 
 def _list_of(scenarios: Sequence[Scenario]) -> Handle:
-    if isinstance(scenarios, Scenario) or not all(isinstance(one, Scenario) for one in scenarios):
+    given = [] if isinstance(scenarios, Scenario) else list(scenarios)
+    if isinstance(scenarios, Scenario) or not all(isinstance(one, Scenario) for one in given):
         raise Error(f"scenarios: {scenarios!r} is not a list of scenarios; expected that of generate() or read_scenarios()")
     handle = Handle(load().slalom_scenarios_new(), "slalom_scenarios_free")
-    for scenario in scenarios:
+    for scenario in given:
         load().slalom_scenarios_add(handle, *scenario._place)
     return handle
 
@@ -629,7 +630,7 @@ def certify(
                 to_json(given[0]),
                 ctypes.addressof(FUNCTIONS),
                 to_json(to_settings(sections)),
-                workers,
+                whole("workers", workers, 0, 1000),
                 os.fsencode(output),
             )
         )

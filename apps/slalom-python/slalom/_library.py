@@ -47,7 +47,7 @@ class _Host(ctypes.Structure):
     _fields_ = [(name, c_void_p) for name, _ in _names]
 
 
-#: Results: a text or an array to free is "owned", an object "new"; NULL, or an int other than 0, is a failure.
+#: Results: a text is "owned", an object or an array "new"; NULL, or an int other than 0, is a failure.
 _FUNCTIONS = {
     "slalom_library_abi_version": (c_uint32, ()),
     "slalom_version": (c_char_p, ()),
@@ -152,6 +152,9 @@ class Handle:
     def __init__(self, address: int, free: str) -> None:
         self._as_parameter_ = address
         weakref.finalize(self, getattr(load(), free), address)
+
+    def __reduce__(self) -> Any:
+        raise TypeError("an object of libslalom cannot be pickled or copied")
 
 
 def taken_array(address: int, code: str, shape: Tuple[int, ...]) -> Any:
