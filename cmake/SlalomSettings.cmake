@@ -16,10 +16,11 @@ endif()
 
 find_program(SLALOM_CCACHE ccache)
 if(SLALOM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # The first is required by ccache for precompiled headers; by the second, builds in several folders share objects (not
-  # with CCACHE_DEPEND: units name their sources by absolute paths).
+  # The first is required by ccache for precompiled headers; by the others, builds in several folders share objects, those
+  # with debug information too (not with CCACHE_DEPEND: units name their sources by absolute paths; nor with a precompiled
+  # header of clang, whose bytes depend on the folder).
   set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${SLALOM_CCACHE})
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=true ${SLALOM_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
