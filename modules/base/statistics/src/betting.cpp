@@ -4,22 +4,57 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slalom {
 
-BettingTest::BettingTest(double null, double effect, double bound)
+namespace {
+
+/// Constant stakes, as parts of the one that could lose all.
+const std::array<double, BettingTest::kStakes>& constant_stakes() {
+  static const auto stakes = [] {
+    std::array<double, BettingTest::kStakes> values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = math::sin(M_PI / 2 * (static_cast<double>(i) + 0.5) / BettingTest::kStakes);
+    return values;
+  }();
+  return stakes;
+}
+
+}  // namespace
+
+BettingTest::BettingTest(double null, double effect, double bound, std::size_t population)
     : null_(null),
       effect_(effect),
-      bound_(bound + std::abs(null)),
-      squares_(kPriorValues * bound * bound / 4) {}
+      bound_(bound),
+      population_(static_cast<double>(population)),
+      squares_(kPriorValues * bound * bound / 4) {
+  shares_.fill(0.5 / kStakes);
+}
+
+bool BettingTest::is_possible() const {
+  const double left = (population_ - values_) * bound_, sum = population_ * null_;
+  const double rounding = 1e-9 * (1 + population_) * bound_;
+  return effect_ > 0 ? sum_ - left <= sum + rounding : sum_ + left >= sum - rounding;
+}
 
 void BettingTest::add(double value) {
-  const double gain = effect_ > 0 ? value - null_ : null_ - value;
-  const double stake = std::min(std::abs(effect_) * values_ / squares_, 0.5 / bound_);
-  log_wealth_ += std::log1p(stake * gain);
-  log_evidence_ = std::max(log_evidence_, log_wealth_);
+  const double null =
+      population_ > 0 ? (population_ * null_ - sum_) / (population_ - values_) : null_;
+  const double gain = effect_ > 0 ? value - null : null - value, most = bound_ + std::abs(null),
+               part = gain / most, kelly = std::abs(effect_) * (kPriorValues + values_) / squares_,
+               of_effect = std::min(kelly, 0.5 / most) * gain;
+  const auto& stakes = constant_stakes();
+  double growth = of_effect_ * of_effect;  // of the whole wealth
+  for (std::size_t i = 0; i < kStakes; ++i) growth += shares_[i] * stakes[i] * part;
+  of_effect_ *= (1 + of_effect) / (1 + growth);
+  for (std::size_t i = 0; i < kStakes; ++i) shares_[i] *= (1 + stakes[i] * part) / (1 + growth);
   squares_ += gain * gain;
+  sum_ += value;
   ++values_;
+  log_wealth_ += std::log1p(growth);
+  if (population_ > 0 && !is_possible()) log_wealth_ = std::numeric_limits<double>::infinity();
+  log_evidence_ = std::max(log_evidence_, log_wealth_);
 }
 
 double BettingTest::p() const {

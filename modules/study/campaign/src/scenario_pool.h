@@ -24,6 +24,7 @@ class ScenarioPool {
                const CampaignOptions& options, const Execution& execution);
 
   std::size_t bins() const { return bins_.size(); }
+  std::size_t scenarios() const { return scenarios_.size(); }
 
   /// The next batch of scenarios from the open bins.
   std::vector<Scenario> next_batch(const std::vector<bool>& open);

@@ -97,19 +97,26 @@ class InterimAnalyses {
   std::size_t count() const { return count_; }
   std::size_t runs() const { return runs_; }
 
-  InterimAnalysis analyze(const PrecisionRule& rule, std::size_t bins,
+  InterimAnalysis analyze(const PrecisionRule& rule, const ScenarioPool& pool,
                           const std::vector<std::string>& hashes) {
     const auto cells = precision_cells(read(ids_of(rule), hashes), rule, analysis_);
     const auto reached = std::count_if(cells.begin(), cells.end(),
                                        [](const PrecisionCell& cell) { return cell.reached; });
-    return {open_bins(cells, bins), render_precision_text(rule, cells) + std::to_string(reached) +
-                                        " of " + std::to_string(cells.size()) + " cells reached"};
+    return {open_bins(cells, pool.bins()), render_precision_text(rule, cells) +
+                                               std::to_string(reached) + " of " +
+                                               std::to_string(cells.size()) + " cells reached"};
   }
 
-  InterimAnalysis analyze(const DecisionRule& rule, std::size_t,
+  InterimAnalysis analyze(const DecisionRule& rule, const ScenarioPool& pool,
                           const std::vector<std::string>& hashes) {
     const auto advantages = scenario_advantages(read({rule.metric}, hashes), rule, hashes);
-    const DecisionState state = decide(rule, advantages, analysis_.confidence);
+    if (rule.in_pool && advantages.size() < hashes.size())
+      throw usage_error("--until",
+                        "'" + rule.metric + "' has no value in " +
+                            std::to_string(hashes.size() - advantages.size()) + " of " +
+                            count_text(hashes.size(), "scenario"),
+                        "a metric with a value in each for \"in the pool\", such as success");
+    const DecisionState state = decide(rule, advantages, analysis_.confidence, pool.scenarios());
     return {{state.decision == Decision::Open}, decision_sentence(rule, state) + "\nended"};
   }
 
@@ -154,7 +161,7 @@ SequentialReport run_in_batches(CampaignRecorder& recorder, const Rule& rule, Sc
     report.complete = recorder.run(batch, execution);
     if (!report.complete) break;
     for (const Scenario& scenario : batch) taken.push_back(scenario.hash());
-    last = analyses.analyze(rule, pool.bins(), taken);
+    last = analyses.analyze(rule, pool, taken);
     report.reached = std::find(last.open.begin(), last.open.end(), true) == last.open.end();
     if (report.reached) stop_reason = "the rule is met";
     if (stop_reason.empty() && max_runs > 0 && analyses.runs() >= max_runs)

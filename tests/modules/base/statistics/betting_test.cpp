@@ -1,30 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/core/random.h>
 #include <slalom/statistics/betting.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace slalom {
 namespace {
 
-TEST(BettingTest, MultipliesTheWealthByOnePlusStakeTimesGain) {
-  // The prior: 10 values with a mean square of (1/2)^2, so the first stake is 0.1 / 0.25 = 0.4.
-  BettingTest test(0, 0.1, 1);
-  test.add(1);
-  EXPECT_NEAR(test.log_wealth(), std::log(1.4), 1e-15);
-  // Then 11 values with squares 10 / 4 + 1: 0.1 * 11 / 3.5.
-  test.add(-1);
-  EXPECT_NEAR(test.log_wealth(), std::log(1.4 * (1 - 1.1 / 3.5)), 1e-15);
-  EXPECT_NEAR(test.log_evidence(), std::log(1.4), 1e-15);
-  EXPECT_NEAR(test.p(), 1 / 1.4, 1e-15);
+/// Wealth of half in a bettor on `effect` and half in equal parts in 20 of constant stakes, each on
+/// its own, of values in [-1, 1] against a mean of at most 0.
+double wealth_of_separate_bettors(const std::vector<double>& values, double effect) {
+  double of_effect = 1, squares = 10 * 0.25, n = 10;
+  for (const double value : values) {
+    of_effect *= 1 + std::min(effect * n / squares, 0.5) * value;
+    squares += value * value;
+    ++n;
+  }
+  double constant = 0;
+  for (int i = 0; i < 20; ++i) {
+    double wealth = 1;
+    for (const double value : values) wealth *= 1 + std::sin(M_PI / 2 * (i + 0.5) / 20) * value;
+    constant += wealth / 20;
+  }
+  return of_effect / 2 + constant / 2;
 }
 
-TEST(BettingTest, NeverStakesMoreThanHalfOfTheWealth) {
+TEST(BettingTest, HasTheWealthOfABettorOnTheEffectAndOfTwentyConstantStakes) {
+  RandomEngine engine(3);
+  std::vector<double> values;
+  BettingTest test(0, 0.1, 1);
+  double most = 1;
+  for (int i = 0; i < 300; ++i) {
+    values.push_back(uniform_real(engine, -0.6, 1));
+    test.add(values.back());
+    const double wealth = wealth_of_separate_bettors(values, 0.1);
+    most = std::max(most, wealth);
+    ASSERT_NEAR(test.log_wealth(), std::log(wealth), 1e-11) << i;
+    ASSERT_NEAR(test.p() * most, 1, 1e-11) << i;
+  }
+}
+
+TEST(BettingTest, KeepsAQuarterOfTheWealthAtTheLargestLossWhateverTheEffect) {
   BettingTest test(0.5, 100, 1);  // gains are at least -1.5
   test.add(-1);
-  EXPECT_NEAR(test.log_wealth(), std::log(0.5), 1e-15);
+  EXPECT_GT(test.log_wealth(), std::log(0.25));
 }
 
 TEST(BettingTest, OfTheOppositeHypothesisIsItsMirrorImage) {

@@ -50,7 +50,7 @@ class SequentialCampaign : public testing::Test {
  protected:
   static CampaignOptions options() {
     CampaignOptions options;
-    options.metrics = {"success"};
+    options.metrics = {"success", "people_hindered"};
     options.descriptors = {"density"};
     options.simulation.max_time = 5;
     return options;
@@ -164,6 +164,22 @@ TEST_F(SequentialCampaign, StopsWhenAComparisonIsDecided) {
   EXPECT_EQ(runs % (2 * kFirstBatch), 0U) << "batches of ten scenarios";
 }
 
+TEST_F(SequentialCampaign, AboutItsPoolNeedsAValueInEachScenario) {
+  const std::vector<NamedMethod> both = {method_named<Straight>("straight"),
+                                         method_named<Standing>("standing")};
+  const auto run = [&](const std::string& rule) {
+    CampaignRecorder recorder = make_recorder(folder_ / "pool.results", both);
+    return run_until(recorder, parse_stopping_rule(rule, 0, options(), both), rooms(20), 0.95,
+                     execution_);
+  };
+  const SequentialReport report = run("compare(success, standing, straight) decided in the pool");
+  EXPECT_TRUE(mentions(report.text, {"standing is worse than straight in success in this pool"}));
+  EXPECT_TRUE(throws_error(
+      ErrorKind::Usage, "--until",
+      {"'people_hindered' has no value in 10 of 10 scenarios", "such as success"},
+      [&] { run("compare(people_hindered, standing, straight) decided in the pool"); }));
+}
+
 /// The advantages in a pool of two parts, each constant: of these differences the mean is known.
 struct TwoParts {
   int first, second;  ///< numbers of scenarios
@@ -195,8 +211,8 @@ std::map<Decision, int> decisions(const DecisionRule& rule, const TwoParts& pool
 
 TEST(SortedPools, AreDecidedWronglyInAtMostFivePercentOfCampaignsForEachDecision) {
   constexpr int kCampaigns = 1000, kMaxWrong = 50;
-  const DecisionRule decided{"success", "a", "b", 0.05, false},
-      no_worse{"success", "a", "b", 0.05, true};
+  const DecisionRule decided{"success", "a", "b"},
+      no_worse{"success", "a", "b", 0.05, DecisionRule::Question::NoWorse};
   // Means of 0, of a relevant difference, and of one just above or below.
   for (const TwoParts& pool :
        {TwoParts{100, 100, 1, -1}, TwoParts{50, 150, -1, 1.0 / 3}, TwoParts{20, 380, 1, 0},

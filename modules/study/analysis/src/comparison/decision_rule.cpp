@@ -20,9 +20,12 @@
 namespace slalom {
 namespace {
 
+using Question = DecisionRule::Question;
+
 constexpr const char* kExpected =
-    "\"compare(METRIC, METHOD, REFERENCE) decided\", \"... decided within DIFFERENCE\" or "
-    "\"... no worse than DIFFERENCE\"";
+    "\"compare(METRIC, METHOD, REFERENCE) decided\", \"... decided within DIFFERENCE\", "
+    "\"... no worse than DIFFERENCE\", each with \"in the pool\" or without, or "
+    "\"... decided in more scenarios\"";
 
 /// Bound of the difference of two means over runs.
 double bound_of(const std::string& metric, const Range& range) {
@@ -31,44 +34,65 @@ double bound_of(const std::string& metric, const Range& range) {
                     "a metric with a lowest and a highest value, such as success or spl");
 }
 
+/// A share of 0.65 of the scenarios in which two methods differ.
+constexpr double kMajorityEffect = 0.3;
+
 /// The tests of a rule, each with the level at which it rejects.
 class DecisionTests {
  public:
-  DecisionTests(const DecisionRule& rule, double level) : rule_(rule), level_(level) {
-    const double bound = rule.bound, d = rule.relevant;
-    if (rule.no_worse)
-      tests_ = {{-d, d, bound}, {-d, -d, bound}};
-    else
-      tests_ = {{0, d, bound}, {0, -d, bound}, {-d, d, bound}, {d, -d, bound}};
+  DecisionTests(const DecisionRule& rule, double level, std::size_t pool)
+      : rule_(rule), level_(level) {
+    const double d = rule.relevant;
+    const auto add = [&](double null, double effect) {
+      tests_.emplace_back(null, effect, rule.bound, rule.in_pool ? pool : 0);
+    };
+    if (rule.question == Question::Majority) {
+      tests_ = {{0, kMajorityEffect, 1}, {0, -kMajorityEffect, 1}};
+    } else if (rule.question == Question::NoWorse) {
+      add(-d, d);
+      add(-d, -d);
+    } else {
+      add(0, d);
+      add(0, -d);
+      add(-d, d);
+      add(d, -d);
+    }
   }
 
   void add(double advantage) {
-    for (BettingTest& test : tests_) test.add(advantage);
     sum_ += advantage;
-    ++count_;
+    ++state_.scenarios;
+    state_.advantage = sum_ / static_cast<double>(state_.scenarios);
+    state_.better += advantage > 0;
+    state_.worse += advantage < 0;
+    const bool majority = rule_.question == Question::Majority;
+    if (majority && advantage == 0) return;
+    for (BettingTest& test : tests_) test.add(!majority ? advantage : advantage > 0 ? 1 : -1);
+    // A test keeps the evidence of the scenarios before, which the mean of all may contradict: the
+    // decision is then still open.
+    std::tie(state_.decision, state_.p) = rejection();
+    if (!is_consistent(state_.decision)) state_.decision = Decision::Open;
   }
 
-  double mean() const { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
-
-  /// With its p value. A test keeps the evidence of the scenarios before, which the mean of all may
-  /// contradict: the decision is then still open.
-  std::pair<Decision, double> decision() const {
-    const auto [decision, p] = rejection();
-    return {is_consistent(decision) ? decision : Decision::Open, p};
-  }
+  const DecisionState& state() const { return state_; }
 
  private:
   bool is_consistent(Decision decision) const {
     const double d = rule_.relevant;
+    // The sign of the mean, or of the majority.
+    const double sign = rule_.question != Question::Majority ? state_.advantage
+                        : state_.better > state_.worse       ? 1
+                        : state_.better < state_.worse       ? -1
+                                                             : 0;
     switch (decision) {
       case Decision::Better:
-        return mean() > 0;
+        return sign > 0;
       case Decision::Worse:
-        return mean() < (rule_.no_worse ? -d : 0);
+        return sign < (rule_.question == Question::NoWorse ? -d : 0);
       case Decision::NoRelevantDifference:
-        return std::abs(mean()) < d;
+        return std::abs(state_.advantage) < d;
       case Decision::NoWorse:
-        return mean() > -d;
+        return state_.advantage > -d;
       case Decision::Open:
         break;
     }
@@ -77,19 +101,21 @@ class DecisionTests {
 
   std::pair<Decision, double> rejection() const {
     const double p0 = tests_[0].p(), p1 = tests_[1].p();
-    if (rule_.no_worse) {
+    if (rule_.question == Question::NoWorse) {
       if (p0 <= level_) return {Decision::NoWorse, p0};
       return {p1 <= level_ ? Decision::Worse : Decision::Open, p1};
     }
     if (p0 <= level_ / 2) return {Decision::Better, 2 * p0};
     if (p1 <= level_ / 2) return {Decision::Worse, 2 * p1};
+    if (rule_.question == Question::Majority)
+      return {Decision::Open, std::min(1.0, 2 * std::min(p0, p1))};
     const double p = std::max(tests_[2].p(), tests_[3].p());
     return {p <= level_ ? Decision::NoRelevantDifference : Decision::Open, p};
   }
 
   const DecisionRule& rule_;
   double level_, sum_ = 0;
-  std::size_t count_ = 0;
+  DecisionState state_;
   std::vector<BettingTest> tests_;
 };
 
@@ -101,7 +127,7 @@ std::string decision_text(const DecisionRule& rule, Decision decision) {
       return method + " is better than " + other;
     case Decision::Worse:
       return method + " is worse than " + other +
-             (rule.no_worse ? " by more than " + relevant : "");
+             (rule.question == Question::NoWorse ? " by more than " + relevant : "");
     case Decision::NoRelevantDifference:
       return method + " and " + other + " differ by less than " + relevant;
     case Decision::NoWorse:
@@ -120,12 +146,18 @@ DecisionRule parse_decision_rule(const std::string& text,
       text,
       "[[:space:]]*compare\\([[:space:]]*([^,[:space:]]+)[[:space:]]*,[[:space:]]*([^,[:space:]]+)"
       "[[:space:]]*,[[:space:]]*([^,[:space:])]+)[[:space:]]*\\)[[:space:]]*"
+      "(decided[[:space:]]+in[[:space:]]+more[[:space:]]+scenarios|"
       "(decided([[:space:]]+within[[:space:]]+([^[:space:]]+))?|"
-      "no[[:space:]]+worse[[:space:]]+than[[:space:]]+([^[:space:]]+))[[:space:]]*");
+      "no[[:space:]]+worse[[:space:]]+than[[:space:]]+([^[:space:]]+))"
+      "([[:space:]]+in[[:space:]]+the[[:space:]]+pool)?)[[:space:]]*");
   DecisionRule rule;
   if (found) {
-    rule.no_worse = (*found)[7].has_value();
-    const auto& relevant = rule.no_worse ? (*found)[7] : (*found)[6];
+    const auto &within = (*found)[7], &no_worse = (*found)[8];
+    rule.question = !(*found)[5] ? Question::Majority
+                    : no_worse   ? Question::NoWorse
+                                 : Question::Difference;
+    rule.in_pool = (*found)[9].has_value();
+    const auto& relevant = no_worse ? no_worse : within;
     if (relevant && !parse_number(*relevant, rule.relevant)) rule.relevant = 0;
   }
   if (!found || !(rule.relevant > 0))
@@ -133,6 +165,7 @@ DecisionRule parse_decision_rule(const std::string& text,
   rule.metric = *(*found)[1];
   rule.method = *(*found)[2];
   rule.reference = *(*found)[3];
+  if (rule.question == Question::Majority) return rule;
   rule.bound = bound_of(rule.metric, range_of_metric(rule.metric));
   if (rule.relevant >= rule.bound)
     throw usage_error("--until",
@@ -142,17 +175,13 @@ DecisionRule parse_decision_rule(const std::string& text,
 }
 
 DecisionState decide(const DecisionRule& rule, const std::vector<double>& advantages,
-                     double confidence) {
-  DecisionTests tests(rule, test_level(confidence));
-  DecisionState state;
+                     double confidence, std::size_t pool) {
+  DecisionTests tests(rule, test_level(confidence), pool);
   for (const double advantage : advantages) {
     tests.add(advantage);
-    ++state.scenarios;
-    std::tie(state.decision, state.p) = tests.decision();
-    if (state.decision != Decision::Open) break;
+    if (tests.state().decision != Decision::Open) break;
   }
-  state.advantage = tests.mean();
-  return state;
+  return tests.state();
 }
 
 std::vector<double> scenario_advantages(const ResultTable& runs, const DecisionRule& rule,
@@ -178,12 +207,17 @@ std::vector<double> scenario_advantages(const ResultTable& runs, const DecisionR
 }
 
 std::string decision_sentence(const DecisionRule& rule, const DecisionState& state) {
-  std::string text = decision_text(rule, state.decision) + " in " + rule.metric +
-                     ": mean advantage " + (state.advantage < 0 ? "-" : "+") +
-                     format_fixed(std::abs(state.advantage), 3) + " over " +
-                     std::to_string(state.scenarios) + " scenarios";
-  if (state.decision != Decision::Open) text += ", " + p_text(state.p);
-  return text;
+  const bool open = state.decision == Decision::Open;
+  std::string text = decision_text(rule, state.decision) + " in " + rule.metric;
+  if (rule.in_pool) text += " in this pool";
+  if (rule.question == Question::Majority)
+    text += std::string(open ? "" : " in more scenarios") + ": better in " +
+            std::to_string(state.better) + " and worse in " + std::to_string(state.worse) + " of ";
+  else
+    text += std::string(": mean advantage ") + (state.advantage < 0 ? "-" : "+") +
+            format_fixed(std::abs(state.advantage), 3) + " over ";
+  text += count_text(state.scenarios, "scenario");
+  return open ? text : text + ", " + p_text(state.p);
 }
 
 }  // namespace slalom

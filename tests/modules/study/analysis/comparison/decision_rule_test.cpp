@@ -9,7 +9,9 @@
 #include <boost/math/distributions/normal.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <random>
 #include <vector>
 
 namespace slalom {
@@ -32,10 +34,17 @@ TEST(DecisionRule, IsParsed) {
   EXPECT_EQ(kDecided.method, "mine");
   EXPECT_EQ(kDecided.reference, "nd");
   EXPECT_EQ(kDecided.relevant, 0.05);
-  EXPECT_FALSE(kDecided.no_worse);
+  EXPECT_EQ(kDecided.question, DecisionRule::Question::Difference);
+  EXPECT_FALSE(kDecided.in_pool);
   EXPECT_EQ(parse(" compare( spl ,a,b )decided  within 0.1 ").relevant, 0.1);
-  EXPECT_TRUE(kNoWorse.no_worse);
+  EXPECT_EQ(kNoWorse.question, DecisionRule::Question::NoWorse);
   EXPECT_EQ(parse("compare(success,a,b) no worse than 0.02").relevant, 0.02);
+  const DecisionRule pool = parse("compare(success, a, b) decided within 0.1  in the pool");
+  EXPECT_TRUE(pool.in_pool);
+  EXPECT_EQ(pool.relevant, 0.1);
+  EXPECT_TRUE(parse("compare(success, a, b) no worse than 0.1 in the pool").in_pool);
+  EXPECT_EQ(parse("compare(time_to_goal, a, b) decided in more scenarios").question,
+            DecisionRule::Question::Majority);  // of signs: the metric needs no bounds
 }
 
 TEST(DecisionRule, ThatIsMalformedIsRejectedWithTheExpectedForm) {
@@ -43,7 +52,8 @@ TEST(DecisionRule, ThatIsMalformedIsRejectedWithTheExpectedForm) {
        {"compare", "compare(success, mine) decided", "compare(success, mine, nd)",
         "compare(success, mine, nd) decided within x",
         "compare(success, mine, nd) decided within 0",
-        "compare(success, mine, nd) no worse than -1", "compare(success, a, b) decided in density"})
+        "compare(success, mine, nd) no worse than -1", "compare(success, a, b) decided in density",
+        "compare(success, a, b) decided in more scenarios in the pool"})
     EXPECT_TRUE(throws_error(ErrorKind::Usage, "--until",
                              {"compare(METRIC, METHOD, REFERENCE) decided"}, [&] { parse(text); }))
         << text;
@@ -153,6 +163,67 @@ TEST(Decision, ThatAMethodIsNoWorseIsWrongInAtMostFivePercentAtTheMargin) {
   EXPECT_GE(simulate(kNoWorse, 0.2, -0.1, 3000).worse, 0.9);
 }
 
+/// A pool of 300 scenarios in random order, of which 60 differ; the mean is exactly 0.
+std::vector<double> pool_without_a_difference(std::mt19937_64& engine) {
+  std::vector<double> values(300, 0);
+  for (std::size_t i = 0; i < 60; ++i) values[i] = i % 2 == 0 ? 1 : -1;
+  std::shuffle(values.begin(), values.end(), engine);
+  return values;
+}
+
+TEST(Decision, AboutAPoolIsWrongInAtMostFivePercentAndKnowsTheMeanAtItsEnd) {
+  std::mt19937_64 engine(11);
+  const DecisionRule rule = parse("compare(success, mine, nd) decided in the pool");
+  double wrong = 0;
+  for (int i = 0; i < kCampaigns; ++i) {
+    const DecisionState state = decide(rule, pool_without_a_difference(engine), 0.95, 300);
+    wrong += state.decision == Decision::Better || state.decision == Decision::Worse;
+    EXPECT_NE(state.decision, Decision::Open);
+  }
+  EXPECT_LE(wrong / kCampaigns, kMaxErrors);
+  // One success more in 300 scenarios is known when all have been run.
+  std::vector<double> values(300, 0);
+  values[120] = 1;
+  EXPECT_EQ(decide({"success", "a", "b", 1e-4, DecisionRule::Question::Difference, 1, true}, values,
+                   0.95, 300)
+                .decision,
+            Decision::Better);
+}
+
+TEST(Decision, AboutAPoolNeedsFewerScenariosThanAboutWhatItIsASampleOf) {
+  RandomEngine engine(12);
+  const DecisionRule sample = parse("compare(success, mine, nd) decided");
+  DecisionRule pool = sample;
+  pool.in_pool = true;
+  int by_sample = 0, by_pool = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<double> values = made_up_campaign(engine, 0.2, 0.1, 300);
+    by_sample +=
+        decide(sample, {values.begin(), values.begin() + 150}, 0.95).decision == Decision::Better;
+    by_pool += decide(pool, {values.begin(), values.begin() + 150}, 0.95, 300).decision ==
+               Decision::Better;
+  }
+  EXPECT_GE(by_pool, by_sample + 20);
+}
+
+TEST(Decision, InMoreScenariosCountsThoseInWhichTheMethodsDiffer) {
+  const DecisionRule rule = parse("compare(spl, mine, nd) decided in more scenarios");
+  // A small gain in many scenarios, a large loss in few: the mean is worse, the majority better.
+  std::vector<double> advantages;
+  for (int i = 0; i < 400; ++i) advantages.push_back(i % 4 == 3 ? -0.9 : i % 4 == 2 ? 0 : 0.05);
+  const DecisionState state = decide(rule, advantages, 0.95);
+  EXPECT_EQ(state.decision, Decision::Better);
+  EXPECT_EQ(state.better + state.worse + state.scenarios / 4, state.scenarios);
+  EXPECT_LT(state.advantage, 0);
+  EXPECT_EQ(decide(kDecided, advantages, 0.95).decision, Decision::Worse);
+  EXPECT_EQ(decide(rule, std::vector<double>(1000, 0), 0.95).decision, Decision::Open);
+  RandomEngine engine(13);
+  double wrong = 0;
+  for (int i = 0; i < kCampaigns; ++i)
+    wrong += decide(rule, made_up_campaign(engine, 0.3, 0, 1000), 0.95).decision != Decision::Open;
+  EXPECT_LE(wrong / kCampaigns, kMaxErrors);
+}
+
 TEST(ScenarioAdvantages, ArePairedAndInTheOrderOfTheHashes) {
   ResultFixture fixture;
   std::vector<std::string> hashes;
@@ -181,6 +252,15 @@ TEST(DecisionSentence, SaysWhatIsKnown) {
       "p = 0.0400");
   EXPECT_EQ(decision_sentence(kDecided, {Decision::Open, 9, 0, 1}),
             "not decided between mine and nd in success: mean advantage +0.000 over 9 scenarios");
+  DecisionRule rule = kDecided;
+  rule.in_pool = true;
+  EXPECT_EQ(decision_sentence(rule, {Decision::Worse, 60, -0.1, 0.02}),
+            "mine is worse than nd in success in this pool: mean advantage -0.100 over 60 "
+            "scenarios, p = 0.0200");
+  const DecisionRule more = parse("compare(spl, mine, nd) decided in more scenarios");
+  EXPECT_EQ(decision_sentence(more, {Decision::Better, 60, 0.1, 0.02, 30, 10}),
+            "mine is better than nd in spl in more scenarios: better in 30 and worse in 10 of 60 "
+            "scenarios, p = 0.0200");
 }
 
 TEST(DecisionRule, ADecisionNeverContradictsTheMeanThatIsShown) {
@@ -188,7 +268,9 @@ TEST(DecisionRule, ADecisionNeverContradictsTheMeanThatIsShown) {
   std::vector<double> advantages(60, -1);
   advantages.insert(advantages.end(), 300, 0.5);
   for (const bool no_worse : {false, true}) {
-    const DecisionRule rule{"success", "a", "b", 0.05, no_worse};
+    const DecisionRule rule{
+        "success", "a", "b", 0.05,
+        no_worse ? DecisionRule::Question::NoWorse : DecisionRule::Question::Difference};
     for (std::size_t n = 1; n <= advantages.size(); ++n) {
       const DecisionState state = decide(
           rule, {advantages.begin(), advantages.begin() + static_cast<std::ptrdiff_t>(n)}, 0.95);
