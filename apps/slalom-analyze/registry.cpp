@@ -165,7 +165,7 @@ Entry read_entry(const fs::path& place, const RegistryArguments& arguments) {
     throw file_error(path, "is of a sample of scenarios", "a campaign without --quick");
   const RunPlan plan = plan_of(manifest, path);
   if (plan.shard.count > 1 || entry.runs.size() != plan.runs())
-    throw file_error(path, "has " + std::to_string(entry.runs.size()) + " runs",
+    throw file_error(path, "has " + count_text(entry.runs.size(), "run"),
                      "all " + std::to_string(plan.runs()) + " of its campaign");
   const std::string hash = content_hash(entry.runs.scenario_hashes), bed = testbed_of(hash);
   entry.scenarios = bed.empty() ? "scenarios " + hash : bed;

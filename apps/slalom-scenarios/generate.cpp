@@ -111,8 +111,8 @@ void generate(const GenerateArguments& arguments) {
   const GenerationFile file = {arguments.output, arguments.existing, arguments.take_over, notify};
   const auto bins = generate_file(file, ini, order, load_occupancy_grid, *progress);
   if (bins) print_bins(*bins, arguments);
-  notify(arguments.output + ": " + std::to_string(ScenarioList::open(arguments.output).size()) +
-         " scenarios");
+  notify(arguments.output + ": " +
+         count_text(ScenarioList::open(arguments.output).size(), "scenario"));
 }
 
 /// The candidates for --set.

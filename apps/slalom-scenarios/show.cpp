@@ -43,11 +43,11 @@ void list_entries(const EntriesArguments& arguments) {
 std::string contents_text(const Scenario& scenario) {
   if (scenario.representation() == Representation::Continuous) {
     const Primitives& obstacles = scenario.primitives();
-    return std::to_string(obstacles.discs.size()) + " discs, " +
-           std::to_string(obstacles.polygons.size()) + " polygons";
+    return count_text(obstacles.discs.size(), "disc") + ", " +
+           count_text(obstacles.polygons.size(), "polygon");
   }
   if (scenario.representation() == Representation::Points)
-    return std::to_string(scenario.point_map()->size()) + " points";
+    return count_text(scenario.point_map()->size(), "point");
   const auto& map = *scenario.grid_map();
   return std::to_string(map.getSizeX()) + " x " + std::to_string(map.getSizeY()) + " cells of " +
          format_number(map.getResolution()) + " m";

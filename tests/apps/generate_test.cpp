@@ -123,6 +123,7 @@ TEST_F(Generate, AListIsReplacedOnlyOnRequest) {
   EXPECT_EQ(run(generate + "-n 2").status, 0) << "does not matter";
   EXPECT_EQ(read("a.scenarios"), list);
   EXPECT_EQ(run(generate + "-n 3 --overwrite").err, "a.scenarios: 3 scenarios\n");
+  EXPECT_EQ(run(generate + "-n 1 --overwrite").err, "a.scenarios: 1 scenario\n");
   ASSERT_EQ(run("slalom-scenarios create made.scenarios").status, 0);
   expect_failure("slalom-scenarios generate -c mix.ini -o made.scenarios", 3,
                  {"was not written by slalom-scenarios generate", "--overwrite"});

@@ -92,8 +92,8 @@ std::size_t QuickSample::size() const {
 }
 
 std::string QuickSample::text() const {
-  return std::to_string(size()) + " of " + std::to_string(hashes.size()) +
-         " scenarios, stratified by " + stratified_by;
+  return std::to_string(size()) + " of " + count_text(hashes.size(), "scenario") +
+         ", stratified by " + stratified_by;
 }
 
 void check_quick_size(int size) {

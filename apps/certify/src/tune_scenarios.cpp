@@ -86,7 +86,7 @@ TuneScenarios make_tune_scenarios(const MethodCampaign& campaign, const TuneSize
     std::vector<Scenario> all = draw(campaign, "list", 1, sizes.jobs);
     if (all.size() < total)
       throw usage_error(campaign.ini.where("scenarios", "list"),
-                        "has " + std::to_string(all.size()) + " scenarios",
+                        "has " + count_text(all.size(), "scenario"),
                         "at least " + std::to_string(total) + " for --development, --finals and " +
                             "--sealed together, or smaller ones");
     RandomEngine engine(derive_seed(campaign.options.seed, "tune/list"));

@@ -2,6 +2,7 @@
 #include <slalom/core/error.h>
 #include <slalom/core/expect_text.h>
 #include <slalom/core/printable.h>
+#include <slalom/core/text.h>
 
 #include <algorithm>
 
@@ -21,7 +22,7 @@ void expect_name(const std::string& name, const std::string& of_what) {
                             (name.size() > kShown ? "...'" : "'");
   const std::string expected = "at most 1000 bytes of UTF-8";
   if (name.size() > kMostBytes)
-    throw file_error(where, "has " + std::to_string(name.size()) + " bytes", expected);
+    throw file_error(where, "has " + count_text(name.size(), "byte"), expected);
   if (const auto at = find_invalid_utf8(name))
     throw file_error(where, "byte " + std::to_string(*at + 1) + " is not UTF-8", expected);
 }

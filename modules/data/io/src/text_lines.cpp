@@ -44,8 +44,7 @@ std::vector<std::string> split_at_blanks(const std::string& line) {
 std::vector<double> numbers_of(const std::vector<std::string>& fields, std::size_t count,
                                const TextLines& lines) {
   if (fields.size() != count)
-    throw lines.error(std::to_string(fields.size()) + " fields",
-                      std::to_string(count) + " numbers");
+    throw lines.error(count_text(fields.size(), "field"), std::to_string(count) + " numbers");
   std::vector<double> numbers(count);
   for (std::size_t i = 0; i < count; ++i)
     if (!parse_number(fields[i], numbers[i]))

@@ -97,7 +97,7 @@ class PlanReader {
     }
     if (counts.size() == 1) counts.resize(axes, counts[0]);
     if (counts.size() != axes)
-      throw error("bins", "has " + std::to_string(counts.size()) + " numbers",
+      throw error("bins", "has " + count_text(counts.size(), "number"),
                   "one number, or one for each of " + std::to_string(axes) + " descriptors");
     return counts;
   }

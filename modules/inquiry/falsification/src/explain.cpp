@@ -206,9 +206,10 @@ class Explainer {
     if (pairs == 1)
       return "One failure has successful neighbors; contrasts need at least " +
              std::to_string(needed) + ".";
-    std::string text = std::to_string(pairs) + " of " + std::to_string(cluster.members.size()) +
-                       " failures compared with their successful neighbors in " +
-                       std::to_string(cluster.scenarios.size()) + " descriptors";
+    std::string text = std::to_string(pairs) + " of " +
+                       count_text(cluster.members.size(), "failure") +
+                       " compared with their successful neighbors in " +
+                       count_text(cluster.scenarios.size(), "descriptor");
     if (pairs < needed)
       return text + ", too few: significance needs at least " + std::to_string(needed) + ".";
     return text + (cluster.statements.empty() ? ": no difference holds." : ".");

@@ -103,7 +103,7 @@ void ObstacleParts::divide_primitives() {
                             at(disc.center.x, disc.center.y));
   for (const Polygon& polygon : scenario_.primitives().polygons) {
     const auto center = mean_of(polygon.vertices);
-    descriptions_.push_back("polygon of " + std::to_string(polygon.vertices.size()) + " corners" +
+    descriptions_.push_back("polygon of " + count_text(polygon.vertices.size(), "corner") +
                             at(center.x, center.y));
   }
   for (std::size_t i = 0; i < descriptions_.size(); ++i) part_of_.push_back(i);
@@ -129,8 +129,7 @@ void ObstacleParts::divide_cells(int block) {
   for (const auto& group : cells) {
     const auto center = mean_of(group);
     const std::string what = block == 0 ? "group of " : "block of ";
-    descriptions_.push_back(what + std::to_string(group.size()) + " cells" +
-                            at(center.x, center.y));
+    descriptions_.push_back(what + count_text(group.size(), "cell") + at(center.x, center.y));
   }
 }
 
@@ -148,7 +147,7 @@ void ObstacleParts::divide_points(double side) {
   }
   for (const auto& group : points) {
     const auto center = mean_of(group);
-    descriptions_.push_back(std::to_string(group.size()) + " points" + at(center.x, center.y));
+    descriptions_.push_back(count_text(group.size(), "point") + at(center.x, center.y));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <slalom/core/text.h>
 #include <slalom/robot/footprint.h>
 
+// Keeps a note about a header of Boost 1.74 that its own geometry includes out of the build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry/algorithms/convex_hull.hpp>
 #include <boost/geometry/algorithms/intersects.hpp>
 #include <boost/geometry/geometries/multi_point.hpp>

@@ -126,7 +126,7 @@ void SensorModel::check_lasers(
            "less than max_range, " + format_number(laser.max_range) + " m");
     if (!laser.raw) continue;
     if (lasers.size() > 1)
-      fail("raw", "the robot has " + std::to_string(lasers.size()) + " lasers", "one");
+      fail("raw", "the robot has " + count_text(lasers.size(), "laser"), "one");
     if (laser.aperture_deg != aperture_deg || laser.rays != rays || laser.max_range != max_range)
       fail("raw", "the laser has other rays than [sensor]", "its aperture_deg, rays and max_range");
   }

@@ -5,6 +5,8 @@
 #include <slalom/references/disc_path.h>
 #include <slalom/references/footprint_path.h>
 
+// Keeps a note about a header of Boost 1.74 that its own geometry includes out of the build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry/algorithms/distance.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>

@@ -39,7 +39,7 @@ std::vector<std::pair<QuantityInfo, const ValueColumn*>> stored_columns(const Re
     stored.back().first.id = kUnconditional + column.info().id;
   }
   if (stored.size() > kMaxColumns)
-    throw usage_error(table.source, std::to_string(stored.size()) + " columns of numbers",
+    throw usage_error(table.source, count_text(stored.size(), "column") + " of numbers",
                       "at most " + std::to_string(kMaxColumns));
   return stored;
 }

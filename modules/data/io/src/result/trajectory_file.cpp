@@ -60,7 +60,7 @@ class Collector {
 
   Trajectory take(const TextLines& lines) {
     if (trajectory_.samples.size() < 2)
-      throw lines.error("only " + std::to_string(trajectory_.samples.size()) + " samples",
+      throw lines.error("only " + count_text(trajectory_.samples.size(), "sample"),
                         "at least 2 samples");
     return std::move(trajectory_);
   }

@@ -82,7 +82,7 @@ class FormPanel : public Element {
     if (!field || files.empty()) return;
     const FormField& into = model_.fields()[*field];
     if (!into.several && files.size() > 1) {
-      message_ = into.label + ": " + std::to_string(files.size()) + " files dropped; expected one";
+      message_ = into.label + ": " + count_text(files.size(), "file") + " dropped; expected one";
       return;
     }
     std::sort(files.begin(), files.end());

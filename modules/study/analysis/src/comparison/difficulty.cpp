@@ -198,7 +198,7 @@ DifficultyScale build_difficulty(const ResultTable& table, const std::string& me
   require_valid(options);
   require_rate(table, metric);
   if (table.methods.size() > kMaxRaschMethods) {
-    throw usage_error("difficulty", std::to_string(table.methods.size()) + " methods",
+    throw usage_error("difficulty", count_text(table.methods.size(), "method"),
                       "at most " + std::to_string(kMaxRaschMethods));
   }
   const CompleteOutcomes complete = complete_outcomes(table, require_metric(table, metric));

@@ -48,7 +48,7 @@ std::vector<Setting> sorted_settings(const std::vector<ResultTable>& sweep,
   if (!options.values.empty() && options.values.size() != sweep.size()) {
     throw usage_error("--values",
                       format_number(static_cast<double>(options.values.size())) + " values for " +
-                          std::to_string(sweep.size()) + " files",
+                          count_text(sweep.size(), "file"),
                       "one value per file");
   }
   std::vector<Setting> settings;

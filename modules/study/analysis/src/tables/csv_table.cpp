@@ -177,7 +177,7 @@ void CsvTable::add(const std::vector<std::string>& record, std::size_t line) {
   places_.push_back({0, line});
   if (record.size() != header_.size())
     throw file_error(
-        where(rows() - 1), std::to_string(record.size()) + " fields",
+        where(rows() - 1), count_text(record.size(), "field"),
         std::to_string(header_.size()) + (has_header_ ? " as in the header" : " as in --names"));
   for (std::size_t i = 0; i < record.size(); ++i) fields_[i].push_back(text_of_field(record[i]));
 }

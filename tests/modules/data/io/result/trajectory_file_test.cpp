@@ -111,7 +111,7 @@ TEST(TrajectoryFile, RejectsDamagedCsvWithItsLine) {
       refused_log(head + "1,1,1e999,0\n", "log:3: ", {"field 3", "expected a finite number"}));
   EXPECT_TRUE(refused_log(head + "# gap\n-1,1,0,0\n",
                           "log:4: ", {"t = -1", "times that increase", "--to"}));
-  EXPECT_TRUE(refused_log(head, "log:2: ", {"1 samples", "at least 2 samples"}));
+  EXPECT_TRUE(refused_log(head, "log:2: ", {"1 sample;", "at least 2 samples"}));
   EXPECT_TRUE(refused_log(head + "1,1e9,0,0\n", "log:3: ", {"100 km", "meters"}));
 }
 
@@ -476,7 +476,7 @@ TEST(TrajectoryFile, LeavesRowsOfALostRobotOut) {
   const TrajectoryFile csv = read("t,x,y,phi,command_v\n0,0,0,0,0.5\n1,0.5,0,0,nan\n2,1,0,0,0.4\n");
   ASSERT_EQ(csv.trajectory.samples.size(), 3u);
   EXPECT_TRUE(std::isnan(csv.trajectory.samples[1].command_v));
-  EXPECT_TRUE(refused_log(rows, "log:2: ", {"only 1 samples"}));
+  EXPECT_TRUE(refused_log(rows, "log:2: ", {"only 1 sample;"}));
 }
 
 TEST(TrajectoryFile, ReportsAMissingFile) {
@@ -584,7 +584,7 @@ TEST(TrajectoryFile, LeavesOutAnEchoedMessageThatWasCutOff) {
   digits.erase(digits.find("w: 0.0") + 4);
   EXPECT_EQ(read(echoed_pose("7", 1) + echoed_pose("8", 1) + digits).trajectory.samples.size(), 2U);
   EXPECT_TRUE(refused_log("header:\n  stamp: [[\n", "log", {"message 1"}));
-  EXPECT_TRUE(refused_log(echoed_pose("7", 1), "log (messages):", {"only 1 samples"}));
+  EXPECT_TRUE(refused_log(echoed_pose("7", 1), "log (messages):", {"only 1 sample;"}));
 }
 
 }  // namespace

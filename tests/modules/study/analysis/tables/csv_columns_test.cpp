@@ -46,7 +46,7 @@ TEST(CsvColumns, AnEmptyOutcomeIsUnknown) {
 TEST(CsvColumns, RejectMalformedTables) {
   for (const char* text : {"", "a,b\n", "a,b\n1,2,3\n", "a,b\nx,y\n"})
     EXPECT_THROW(columns_from_csv(text, "t.csv"), Error) << text;
-  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"1 fields", "expected 2"},
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"1 field;", "expected 2"},
                            [] { columns_from_csv("a,b\n1,2\n1\n", "t.csv"); }));
 }
 

@@ -5,6 +5,8 @@
 #include <slalom/core/random.h>
 #include <slalom/scenario/convert.h>
 
+// Keeps a note about a header of Boost 1.74 that its own geometry includes out of the build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <gtest/gtest.h>
