@@ -6,6 +6,7 @@ set(SLALOM_PKG_CONFIG_lz4 liblz4)
 set(SLALOM_PKG_CONFIG_zstd libzstd)
 set(SLALOM_PKG_CONFIG_xxhash libxxhash)
 set(SLALOM_PKG_CONFIG_highway libhwy)
+set(SLALOM_PKG_CONFIG_minizip minizip)
 set(SLALOM_PKG_CONFIG_xlsxwriter xlsxwriter)
 
 # slalom_find(TARGET [QUIET|REQUIRED]): the package of an imported target, or a program as program::NAME. Other names, as of

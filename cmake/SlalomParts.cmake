@@ -2,7 +2,7 @@
 # What Slalom is built from: the packages that all of it needs, and the optional parts.
 foreach(target mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::io mrpt::kinematics mrpt::nav mrpt::poses
         Boost::headers Threads::Threads SQLiteCpp nlohmann_json::nlohmann_json yaml-cpp ZLIB::ZLIB BZip2::BZip2 PNG::PNG
-        PkgConfig::lz4 PkgConfig::xxhash PkgConfig::zstd PkgConfig::highway fmt::fmt CLI11::CLI11 tinyxml2::tinyxml2)
+        PkgConfig::lz4 PkgConfig::minizip PkgConfig::xxhash PkgConfig::zstd PkgConfig::highway fmt::fmt CLI11::CLI11 tinyxml2::tinyxml2)
   slalom_find(${target} REQUIRED)
 endforeach()
 

@@ -7,7 +7,7 @@
 #include <slalom/core/text.h>
 #include <slalom/io/imported_table.h>
 #include <slalom/io/read_results.h>
-#include <slalom/report/analysis_input.h>
+#include <slalom/tables/analysis_input.h>
 
 #include <iostream>
 #include <memory>
@@ -27,7 +27,7 @@ struct ImportArguments {
 ResultTable read_tables(const ImportArguments& arguments) {
   for (const std::string& path : arguments.tables)
     if (is_result_input(path))
-      throw usage_error(path, "contains results already", "a table as CSV, or of a benchmark");
+      throw usage_error(path, "contains results already", "a table of another program");
   return arguments.tables.size() == 1
              ? read_analysis_input(arguments.tables[0], std::nullopt, true, arguments.columns)
              : read_analysis_tables(arguments.tables, arguments.columns);
@@ -54,8 +54,8 @@ void define_import(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "import", "Make a result file of tables of other programs, for all other verbs");
   verb->add_option("tables", arguments->tables,
-                   "Tables as CSV, one for each method or one of all, or one table of a benchmark "
-                   "(OMPL, Bench-MR)")
+                   "Tables, one for each method or one of all: CSV, a workbook (.xlsx), JSON (an "
+                   "array of rows or arrays by column), a benchmark of OMPL (.db) or Bench-MR")
       ->required();
   add_key_options(*verb, arguments->columns, true);
   verb->add_option("-o,--output", arguments->output, "Result file to write (.results)")->required();

@@ -8,8 +8,8 @@
 #include <slalom/core/text.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_files.h>
-#include <slalom/report/analysis_input.h>
 #include <slalom/results/privileged.h>
+#include <slalom/tables/analysis_input.h>
 
 #include <algorithm>
 #include <memory>

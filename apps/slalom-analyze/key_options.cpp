@@ -30,6 +30,8 @@ void add_key_options(CLI::App& verb, CsvColumnOptions& options, bool shown) {
           "with words of outcomes)"),
       add_words(verb, "--success-word", options.success_words,
                 "Outcomes that mean success, comma-separated; unknown ones are then failures"),
+      verb.add_option("--sheet", options.sheet,
+                      "Sheet of a workbook (.xlsx) (default: its only one with cells)"),
       add_words(verb, "--names", options.names,
                 "The names of the columns of a table without a header line, such as "
                 "world,success,collided,timeout,time,metric"),

@@ -27,8 +27,8 @@
 #include <slalom/io/rawlog_path.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
-#include <slalom/report/analysis_input.h>
 #include <slalom/report/report.h>
+#include <slalom/tables/analysis_input.h>
 
 #include <filesystem>
 #include <iostream>

@@ -6,8 +6,8 @@
 #include <slalom/core/available_cores.h>
 #include <slalom/io/result_files.h>
 #include <slalom/io/result_parts.h>
-#include <slalom/report/analysis_input.h>
 #include <slalom/results/privileged.h>
+#include <slalom/tables/analysis_input.h>
 
 #include <filesystem>
 

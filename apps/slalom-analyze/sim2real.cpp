@@ -7,7 +7,7 @@
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/completion.h>
 #include <slalom/metrics/metric.h>
-#include <slalom/report/analysis_input.h>
+#include <slalom/tables/analysis_input.h>
 
 #include <nlohmann/json.hpp>
 

@@ -448,7 +448,7 @@ TEST_F(Analyze, NamesTheFormatOfAForeignFileAndTheWayIn) {
   for (const char* verb : {"table", "compare", "summary"})
     expect_failure("slalom-analyze " + std::string(verb) + " runs.parquet", 3,
                    {"runs.parquet: is a Parquet file", "a table as CSV", "pandas.read_parquet"});
-  write("runs.json", "{\"runs\": [{\"planner\": \"dwb\"}]}");
+  write("runs.json", "{\"runs\": {\"planner\": \"dwb\"}}");
   expect_failure("slalom-analyze table runs.json", 3, {"is JSON", "pandas.json_normalize"});
   expect_failure("slalom-analyze show runs.json --run s/m/0", 3, {"is JSON"});
   expect_failure("slalom-analyze report runs.parquet -o out", 3, {"is a Parquet file"});

@@ -4,6 +4,7 @@ set(MODULES ${PROJECT_SOURCE_DIR}/modules)
 set(BAGS ${PROJECT_SOURCE_DIR}/adapters/formats/bags/src)
 set(FORMATS ${PROJECT_SOURCE_DIR}/adapters/formats/map_formats/src)
 set(PARAMETERS ${PROJECT_SOURCE_DIR}/adapters/formats/ros_parameters/src)
+set(TABLES ${PROJECT_SOURCE_DIR}/adapters/formats/tables/src)
 foreach(module analysis core scenario trajectory results)
   get_target_property(sources slalom_${module} SOURCES)
   get_target_property(folder slalom_${module} SOURCE_DIR)
@@ -75,25 +76,27 @@ add_library(slalom_fuzzed STATIC
   ${FORMATS}/stage_world.cpp
   ${FORMATS}/world_import.cpp
   ${FORMATS}/world_parts.cpp
-  ${FORMATS}/xml_file.cpp
-  ${MODULES}/study/report/src/benchmark_table.cpp
+  ${PROJECT_SOURCE_DIR}/adapters/formats/xml/src/xml_file.cpp
   ${MODULES}/world/robot/src/footprint.cpp
   ${MODULES}/world/robot/src/robot_model.cpp
   ${MODULES}/run/simulation/src/simulation_options.cpp
   ${PARAMETERS}/conversions.cpp
   ${PARAMETERS}/parameter_files.cpp
   ${PARAMETERS}/parameter_table.cpp
-  ${PARAMETERS}/resolve.cpp)
-foreach(module analysis core scenario io campaign falsification map_formats ros_parameters bags)
+  ${PARAMETERS}/resolve.cpp
+  ${TABLES}/foreign_table.cpp
+  ${TABLES}/json_table.cpp
+  ${TABLES}/workbook_table.cpp)
+foreach(module analysis core scenario io campaign falsification map_formats ros_parameters bags xml)
   target_include_directories(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},INCLUDE_DIRECTORIES>)
   target_compile_definitions(slalom_fuzzed PUBLIC $<TARGET_PROPERTY:slalom_${module},COMPILE_DEFINITIONS>)
 endforeach()
 target_include_directories(slalom_fuzzed PUBLIC ${FORMATS} ${MODULES}/study/campaign/src ${MODULES}/data/io/src
-                                                ${MODULES}/study/report/src ${MODULES}/world/scenario/src)
+                                                ${TABLES} ${MODULES}/world/scenario/src)
 target_compile_options(slalom_fuzzed PUBLIC -fsanitize=fuzzer-no-link,address,undefined
                        -fno-sanitize-recover=undefined -fno-sanitize=vptr -fno-omit-frame-pointer)
 target_link_libraries(slalom_fuzzed PUBLIC mrpt::config mrpt::math mrpt::maps mrpt::obs mrpt::img mrpt::poses
-  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd PkgConfig::lz4 BZip2::BZip2 ZLIB::ZLIB fmt::fmt yaml-cpp PNG::PNG tinyxml2::tinyxml2 Boost::headers
+  mrpt::kinematics PkgConfig::xxhash PkgConfig::highway PkgConfig::zstd PkgConfig::lz4 PkgConfig::minizip BZip2::BZip2 ZLIB::ZLIB fmt::fmt yaml-cpp PNG::PNG tinyxml2::tinyxml2 Boost::headers
   SQLiteCpp SQLite::SQLite3 nlohmann_json::nlohmann_json)
 
 add_custom_target(fuzz)

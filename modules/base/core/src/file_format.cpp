@@ -65,7 +65,8 @@ bool is_header(const std::string& content, std::string_view begin) {
 }
 
 FileFormat zip_format(const std::string& content) {
-  if (has(content, "xl/")) return {"an Excel file (.xlsx)", kSheetWay};
+  if (has(content, "xl/"))
+    return {"a workbook (.xlsx)", "slalom-analyze import reads tables of it"};
   if (has(content, "opendocument.spreadsheet"))
     return {"an OpenDocument spreadsheet (.ods)", kSheetWay};
   if (has(content, ".npy")) return {"arrays of NumPy (.npz)", "numpy.savetxt of one of them"};
@@ -99,7 +100,9 @@ std::optional<FileFormat> markup_format(const std::string& content) {
   if ((c == '{' && (next == '"' || next == '}')) || (c == '[' && (next == '{' || next == '['))) {
     if (has(content, "\"plans\""))
       return FileFormat{"JSON, as Bench-MR writes", "slalom-analyze table NAME.json"};
-    return FileFormat{"JSON", "CSV, with pandas.json_normalize(...).to_csv(NAME): a row per run"};
+    return FileFormat{"JSON",
+                      "a table NAME.json: an array of rows or arrays by column, or CSV, with "
+                      "pandas.json_normalize(...).to_csv(NAME)"};
   }
   const std::string begin = lower_case(content.substr(first, 16));
   if (starts_with(begin, "<?xml") || starts_with(begin, "<!doctype") || starts_with(begin, "<html"))

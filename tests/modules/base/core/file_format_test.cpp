@@ -23,7 +23,7 @@ TEST(FileFormat, IsRecognizedByTheFirstBytes) {
   EXPECT_EQ(name_of("\x80\x04\x95"), "a pickle of Python");
   EXPECT_EQ(name_of("\xff\xfet\0,\0"s), "a text in UTF-16");
   EXPECT_EQ(name_of("OMPL version 1.5.2\nExperiment room\n"), "a benchmark log of OMPL");
-  EXPECT_EQ(name_of("PK\x03\x04[Content_Types].xml PK xl/workbook.xml"), "an Excel file (.xlsx)");
+  EXPECT_EQ(name_of("PK\x03\x04[Content_Types].xml PK xl/workbook.xml"), "a workbook (.xlsx)");
   EXPECT_EQ(name_of("PK\x03\x04 arr_0.npy"), "arrays of NumPy (.npz)");
   EXPECT_EQ(name_of("PK\x03\x04"), "a zip archive");
   EXPECT_EQ(name_of(" {\n \"runs\": [] }"), "JSON");

@@ -82,10 +82,17 @@ char separator_of(const std::string& text, std::size_t columns) {
   return most == 1 && has_columns_of_words(text) ? kBlanks : best;
 }
 
-/// The text without the mark of a comment before its first line.
-std::string without_mark(const std::string& text) {
-  const std::size_t begin = starts_with(text, "#") ? text.find_first_not_of("# \t") : 0;
+/// The text from its first line that is not empty on, without the mark of a comment before it.
+std::string from_header(const std::string& text) {
+  std::size_t begin = text.find_first_not_of("\r\n");
+  if (begin < text.size() && text[begin] == '#') begin = text.find_first_not_of("# \t", begin);
   return text.substr(std::min(begin, text.size()));
+}
+
+/// The number of the line that ends of a text begin with, from 1.
+std::size_t line_of(const std::string& text, std::size_t size) {
+  const auto end = text.end() - static_cast<std::ptrdiff_t>(size);
+  return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
 }
 
 /// The text of a field, without the apostrophe that csv_field() adds to formulas.
@@ -99,14 +106,15 @@ std::string text_of_field(const std::string& field) {
 CsvTable::CsvTable(const std::string& content, const std::string& name,
                    const std::vector<std::string>& names)
     : name_(name), header_(names), has_header_(names.empty()) {
-  const std::string text = has_header_ ? without_mark(content) : content;
+  const std::string text = has_header_ ? from_header(content) : content;
+  first_line_ = line_of(content, text.size());
   files_ = {{name, separator_of(text, header_.size())}};
   CsvRecords records(text, files_[0].separator);
   if (has_header_) read_header(records.next());
   refuse_duplicate_names();
   fields_.resize(header_.size());
   while (!records.at_end()) {
-    const std::size_t line = records.line();
+    const std::size_t line = first_line_ + records.line() - 1;
     const std::vector<std::string> record = records.next();
     if (!is_blank(record)) add(record, line);
   }
@@ -143,6 +151,10 @@ std::string CsvTable::short_where(std::size_t row) const {
   return files_.size() > 1 ? where(row) : "line " + std::to_string(places_[row].line);
 }
 
+std::string CsvTable::where_of_header() const {
+  return name_ + ":" + std::to_string(first_line_);
+}
+
 bool CsvTable::has_blanks() const {
   return std::any_of(files_.begin(), files_.end(),
                      [](const File& file) { return file.separator == kBlanks; });
@@ -160,7 +172,7 @@ void CsvTable::read_header(const std::vector<std::string>& record) {
   const auto is_no_name = [&](const std::string& id) { return id.empty() || is_number(id); };
   if (std::any_of(header_.begin(), header_.end(), is_number) &&
       std::all_of(header_.begin(), header_.end(), is_no_name))
-    throw file_error(name_ + ":1", "line 1 has only numbers",
+    throw file_error(where_of_header(), "the first line has only numbers",
                      "names of columns; for a table without them --names NAME,... with " +
                          count_text(header_.size(), "name"));
 }
@@ -169,7 +181,7 @@ void CsvTable::refuse_duplicate_names() const {
   std::set<std::string> names;
   for (const std::string& id : header_)
     if (!id.empty() && !names.insert(id).second)
-      throw file_error(has_header_ ? name_ + ":1" : "--names",
+      throw file_error(has_header_ ? where_of_header() : "--names",
                        "duplicate column '" + printable_line(id) + "'", "each name once");
 }
 

@@ -48,9 +48,11 @@ class CsvTable {
   std::vector<File> files_;
   std::vector<std::string> header_;
   bool has_header_;
+  std::size_t first_line_ = 1;
   std::vector<std::vector<std::string>> fields_;
   std::vector<Place> places_;
 
+  std::string where_of_header() const;
   void read_header(const std::vector<std::string>& record);
   void refuse_duplicate_names() const;
   void add(const std::vector<std::string>& record, std::size_t line);

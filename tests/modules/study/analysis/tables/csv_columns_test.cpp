@@ -68,7 +68,7 @@ TEST(CsvColumns, SemicolonsAndTabsSeparateFieldsToo) {
 TEST(CsvColumns, AFirstLineOfNumbersIsNoHeader) {
   for (const char* text : {"0,1,12.5\n1,0,9\n", "0;1\n", ",0,1\n0,5,6\n"})
     EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:1",
-                             {"line 1 has only numbers", "names of columns"},
+                             {"the first line has only numbers", "names of columns"},
                              [&] { columns_from_csv(text, "t.csv"); }))
         << text;
 }

@@ -25,6 +25,8 @@ struct CsvColumnOptions {
   std::vector<std::string> unconditional = {};
   /// Names of the columns of a table without a header line; empty: it has one.
   std::vector<std::string> names = {};
+  /// The sheet of a workbook; empty: its only one with cells.
+  std::string sheet = {};
   /// Outcomes that mean success, in any case; with one, unknown outcomes are failures.
   std::vector<std::string> success_words = {};
 };

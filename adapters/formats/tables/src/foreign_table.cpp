@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "benchmark_table.h"
+#include "foreign_table.h"
 
 #include <slalom/analysis/table_export.h>
 #include <slalom/core/error.h>
+#include <slalom/core/file_format.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/foreign_database.h>
 #include <slalom/io/read_results.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -17,15 +17,7 @@
 namespace slalom {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::uint64_t kMaxJsonSize = 200 * kMegabyte;
-
-std::string csv_line(const std::vector<std::string>& fields) {
-  std::vector<std::string> quoted;
-  for (const std::string& field : fields) quoted.push_back(csv_field(field));
-  return join(quoted, ",") + "\n";
-}
 
 /// The tables of ompl_benchmark_statistics.py.
 class OmplDatabase {
@@ -40,7 +32,7 @@ class OmplDatabase {
                .getInt() == 4;
   }
 
-  BenchmarkTable read() {
+  ForeignTable read() {
     read_descriptions();
     find_columns();
     std::vector<std::string> names = {"scenario", "method"};
@@ -104,7 +96,7 @@ class OmplDatabase {
   std::vector<std::string> columns_;
 };
 
-std::optional<BenchmarkTable> read_ompl_database(const std::string& path) {
+std::optional<ForeignTable> read_ompl_database(const std::string& path) {
   const auto file = open_foreign_database(path, "a benchmark database of OMPL");
   try {
     OmplDatabase database(*file);
@@ -116,81 +108,21 @@ std::optional<BenchmarkTable> read_ompl_database(const std::string& path) {
   }
 }
 
-/// A number, 1 or 0, or the length of a list; empty for anything else.
-std::string value_text(const Json& value) {
-  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-  if (value.is_number()) return format_number(value.get<double>());
-  return value.is_array() ? std::to_string(value.size()) : "";
-}
-
-bool is_true(const Json& stats, const char* key) {
-  const auto found = stats.find(key);
-  return found != stats.end() && found->is_boolean() && found->get<bool>();
-}
-
-std::string outcome_of(const Json& stats) {
-  if (!is_true(stats, "path_found")) return "failure";
-  if (is_true(stats, "path_collides")) return "collision";
-  return is_true(stats, "exact_goal_path") ? "success" : "failure";
-}
-
-std::string environment_of(const Json& run) {
-  const auto environment = run.find("environment");
-  if (environment == run.end() || !environment->is_object()) return "environment";
-  const auto name = environment->find("name");
-  return name != environment->end() && name->is_string() ? name->get<std::string>() : "environment";
-}
-
-/// Calls use(environment, planner, stats) for each plan; one without stats has none of them.
-template <typename Use>
-void for_each_plan(const Json& runs, Use use) {
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Json& run = runs[i];
-    const std::string environment = environment_of(run) + " " + std::to_string(i);
-    const auto plans = run.find("plans");
-    if (plans == run.end() || !plans->is_object()) continue;
-    for (const auto& [planner, plan] : plans->items()) {
-      const bool has_stats =
-          plan.is_object() && plan.contains("stats") && plan["stats"].is_object();
-      use(environment, planner, has_stats ? plan["stats"] : Json::object());
-    }
-  }
-}
-
-bool is_bench_mr(const Json& file) {
-  const auto runs = file.find("runs");
-  return file.is_object() && runs != file.end() && runs->is_array() && !runs->empty() &&
-         std::all_of(runs->begin(), runs->end(), [](const Json& run) { return run.is_object(); }) &&
-         runs->front().contains("plans");
-}
-
 }  // namespace
 
-std::optional<BenchmarkTable> bench_mr_from_text(const std::string& text) {
-  const Json file = Json::parse(text, nullptr, false);
-  if (!is_bench_mr(file)) return std::nullopt;
-  std::vector<std::string> keys;
-  for_each_plan(file["runs"], [&](const std::string&, const std::string&, const Json& stats) {
-    for (const auto& [key, value] : stats.items())
-      if (!value.is_string() && !value.is_object() && !contains(keys, key)) keys.push_back(key);
-  });
-  std::vector<std::string> names = {"scenario", "method", "outcome"};
-  names.insert(names.end(), keys.begin(), keys.end());
-  std::string csv = csv_line(names);
-  for_each_plan(file["runs"],
-                [&](const std::string& environment, const std::string& planner, const Json& stats) {
-                  std::vector<std::string> fields = {environment, planner, outcome_of(stats)};
-                  for (const std::string& key : keys)
-                    fields.push_back(stats.contains(key) ? value_text(stats[key]) : "");
-                  csv += csv_line(fields);
-                });
-  return BenchmarkTable{csv, {}};
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::vector<std::string> quoted;
+  for (const std::string& field : fields) quoted.push_back(csv_field(field));
+  return join(quoted, ",") + "\n";
 }
 
-std::optional<BenchmarkTable> read_benchmark_table(const std::string& path) {
+std::optional<ForeignTable> read_foreign_table(const std::string& path, const std::string& sheet) {
   if (is_database(path)) return read_ompl_database(path);
+  const auto format = recognize_file(path);
+  if (ends_with(path, ".xlsx") || (format && ends_with(format->name, "(.xlsx)")))
+    return table_from_workbook(path, sheet);
   if (!ends_with(path, ".json")) return std::nullopt;
-  return bench_mr_from_text(read_text(path, "results of Bench-MR", kMaxJsonSize));
+  return table_from_json(read_text(path, "a table (.json)", kMaxJsonSize), path);
 }
 
 }  // namespace slalom

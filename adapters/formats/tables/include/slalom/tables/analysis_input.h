@@ -12,14 +12,13 @@ namespace slalom {
 
 /// Reads runs for an analysis: a result file or a folder of them, of which only the columns in
 /// `ids` (see read_results()), or a table of numbers if the file is `csv` or its name does not end
-/// with ".results": CSV, a benchmark database of OMPL, or the results of Bench-MR (.json). Throws
-/// Error (File), for a known format of other programs with the way in.
+/// with ".results": CSV, a workbook (.xlsx), JSON, or a benchmark database of OMPL. Throws Error
+/// (File), for a known format of other programs with the way in.
 ResultTable read_analysis_input(const std::string& path,
                                 const std::optional<std::vector<std::string>>& ids, bool csv,
                                 const CsvColumnOptions& options);
 
-/// The runs of several tables as CSV: see columns_from_csv(). Throws Error (File) also for what is
-/// no such table.
+/// The runs of several such tables: see columns_from_csv(). Throws Error (File).
 ResultTable read_analysis_tables(const std::vector<std::string>& paths,
                                  const CsvColumnOptions& options);
 

@@ -3,13 +3,13 @@
 
 #include <slalom/analysis/csv_columns.h>
 
-#include <benchmark_table.h>
+#include <foreign_table.h>
 
-/// Results of Bench-MR, as a table.
+/// A table as JSON.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace slalom;
   fuzz::read_or_refuse([&] {
-    const auto table = bench_mr_from_text(fuzz::text_of(data, size));
+    const auto table = table_from_json(fuzz::text_of(data, size), "input");
     if (!table) return;
     CsvColumnOptions options;
     options.success_words = table->success_words;

@@ -7,8 +7,8 @@
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/metrics/metric.h>
-#include <slalom/report/analysis_input.h>
 #include <slalom/results/outcome_words.h>
+#include <slalom/tables/analysis_input.h>
 #include <slalom/trajectory/trajectory.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>

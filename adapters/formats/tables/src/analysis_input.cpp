@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "benchmark_table.h"
+#include "foreign_table.h"
 
 #include <slalom/core/error.h>
 #include <slalom/core/file_format.h>
@@ -9,7 +9,7 @@
 #include <slalom/io/read_results.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/metrics/metric.h>
-#include <slalom/report/analysis_input.h>
+#include <slalom/tables/analysis_input.h>
 
 namespace slalom {
 
@@ -37,23 +37,21 @@ ResultTable read_analysis_input(const std::string& path,
                                 const CsvColumnOptions& options) {
   const bool is_table = !is_result_input(path) && (csv || !ends_with(path, ".results"));
   if (!is_table) return read_results(path, ids);
-  CsvColumnOptions with_known = with_known_columns(options);
-  if (const auto benchmark = read_benchmark_table(path)) {
-    if (options.success_words.empty()) with_known.success_words = benchmark->success_words;
-    return columns_from_csv(benchmark->csv, path, with_known);
-  }
-  return columns_from_csv(text_of_table(path), path, with_known);
+  return read_analysis_tables({path}, options);
 }
 
 ResultTable read_analysis_tables(const std::vector<std::string>& paths,
                                  const CsvColumnOptions& options) {
+  CsvColumnOptions with_known = with_known_columns(options);
   std::vector<CsvFile> files;
   for (const std::string& path : paths) {
-    if (read_benchmark_table(path))
-      throw file_error(path, "is a table of a benchmark", "several tables only as CSV");
-    files.push_back({text_of_table(path), path});
+    const auto table = read_foreign_table(path, options.sheet);
+    if (table && options.success_words.empty())
+      for (const std::string& word : table->success_words) with_known.success_words.push_back(word);
+    files.push_back({table ? table->csv : text_of_table(path), path});
   }
-  return columns_from_csv(files, with_known_columns(options));
+  if (files.size() == 1) return columns_from_csv(files[0].text, files[0].name, with_known);
+  return columns_from_csv(files, with_known);
 }
 
 std::vector<BinSpec> resolve_indexes(std::vector<BinSpec> specs, const std::string& list_path) {
