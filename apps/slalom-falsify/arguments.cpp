@@ -31,7 +31,7 @@ CampaignConfig read_surrogate(IniFile ini, const FalsifyArguments& arguments,
   const std::string option = "--surrogate " + arguments.surrogate;
   if (arguments.surrogate == arguments.method)
     throw usage_error(option, "is the method that is tested", "another method");
-  if (arguments.fairness.witness && setup.witnesses.size() == 1 &&
+  if (arguments.fairness.witness != NeedsWitness::Never && setup.witnesses.size() == 1 &&
       setup.witnesses.front().name == arguments.surrogate)
     throw usage_error(option, "is the only witness, and fails in all these scenarios",
                       "another method, or --witness METHOD");
@@ -52,7 +52,8 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
              "--witness", arguments.witnesses,
              "A method that must reach the goal, which proves that the scenario can be solved; "
              "of several, any. Default: the other methods of the campaign, and among people, "
-             "without a proof, the method itself if they do not notice it")
+             "without a proof, the method itself if they do not notice it; none need to for what "
+             "only the method can cause, as a collision where nothing moves")
           ->take_all()
           ->allow_extra_args(false),
       known_methods);
@@ -70,7 +71,7 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_flag_callback(
-      "--no-witness", [&fairness] { fairness.witness = false; },
+      "--no-witness", [&fairness] { fairness.witness = NeedsWitness::Never; },
       "Accept failures where no witness reaches the goal");
   app.add_flag_callback(
       "--no-repeat", [&fairness] { fairness.repeatable = false; },
@@ -83,6 +84,12 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_flag("--quiet", arguments.campaign.quiet, "No progress and no messages, except errors");
+}
+
+void require_named_witnesses(FalsifyArguments& arguments) {
+  NeedsWitness& witness = arguments.fairness.witness;
+  if (!arguments.witnesses.empty() && witness == NeedsWitness::NotForOwn)
+    witness = NeedsWitness::Always;
 }
 
 FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& arguments) {

@@ -110,9 +110,13 @@ void search_verb(SearchArguments& arguments) {
   SearchOptions& options = arguments.search;
   IniFile ini = load_campaign_ini(common.campaign);
   if (!arguments.against.empty()) common.witnesses = {add_reference(ini, arguments)};
+  require_named_witnesses(common);
   refuse_output_over_inputs(common.output, ini);
   const FalsifyCampaign campaign = read_falsify_campaign(ini, common);
-  if (!campaign.setup.has_witness() && common.fairness.witness)
+  const bool needs_other =
+      arguments.all_outcomes || campaign.setup.people.count > 0 || campaign.setup.walkers.count > 0;
+  if (needs_other && !campaign.setup.has_witness() &&
+      common.fairness.witness != NeedsWitness::Never)
     throw usage_error("--witness", "there is no other method in the campaign",
                       "--witness METHOD, or --no-witness");
   make_output_folder(common.output);
@@ -152,7 +156,7 @@ void search_verb(SearchArguments& arguments) {
   if (!find_neighbors(failures, campaign.setup, neighbors))
     throw Interrupted("the same command continues");
   const std::vector<ReportedCluster> clusters = report_clusters(failures, campaign, common);
-  std::cout << search_text(result, kept, options.outcomes);
+  std::cout << search_text(result, kept, options);
   for (const Failure& failure : failures)
     std::cout << "\n" << failure_text(failure, campaign.setup);
   if (!failures.empty())

@@ -86,7 +86,8 @@ ShrinkInput read_input(ShrinkArguments& arguments) {
 
 void shrink_verb(ShrinkArguments& arguments) {
   const ShrinkInput input = read_input(arguments);
-  const FalsifyArguments& common = arguments.common;
+  FalsifyArguments& common = arguments.common;
+  require_named_witnesses(common);
   if (common.campaign.config.empty() && !arguments.trust)
     require_no_foreign_code(input.ini, {}, arguments.input);
   refuse_output_over_inputs(common.output, input.ini);

@@ -263,6 +263,22 @@ TEST_F(Falsify, TheSameCommandShrinksNothingAgain) {
       2, {"other settings", "--overwrite"});
 }
 
+TEST_F(Falsify, KeepsItsOwnCollisionsWithoutAnotherMethod) {
+  const std::string search =
+      "slalom-falsify search planted.ini --method squeeze --set campaign.methods=squeeze --runs 40 "
+      "--failures 1 --quiet -o out ";
+  const ProgramResult result = run(search);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find(", no other method was asked, repeated bit for bit"), std::string::npos)
+      << result.out;
+  const Json failure = failures("out")["failures"].at(0);
+  EXPECT_TRUE(failure["fairness"]["witness"].is_null());
+  EXPECT_LT(failure["shrinking"]["parts_after"], failure["shrinking"]["parts_before"]);
+  for (const char* other : {"--all-outcomes", "--set scenarios.walkers=2"})
+    expect_failure(search + other + " --overwrite", 2,
+                   {"there is no other method", "--no-witness"});
+}
+
 TEST_F(Falsify, NothingFoundIsABoundAndNotAProofOfSafety) {
   // The method without defect against itself: no failure has a witness.
   write("same.ini", read("planted.ini") +

@@ -166,7 +166,7 @@ class Sheet {
     return static_cast<std::size_t>(row) - 1;
   }
 
-  /// Of a reference such as AB12; without one, the next column.
+  /// The column of a reference such as AB12; without one, the next.
   std::size_t column_of(const XMLElement& cell, std::size_t next) const {
     const std::string reference = xml_attribute(cell, "r");
     std::size_t column = reference.empty() ? next + 1 : 0;

@@ -8,13 +8,14 @@
 namespace slalom {
 namespace {
 
-std::string fairness_text(const FairnessReport& fairness) {
+std::string fairness_text(const FairnessReport& fairness, bool has_witnesses) {
   std::string text =
       fairness.fair() ? "fair: " : "NOT fair (" + join(fairness.violations, "; ") + "): ";
   text += "bottleneck " + format_fixed(fairness.geometry.bottleneck, 2) + " robot widths, " +
           format_fixed(fairness.geometry.start_clearance, 2) + " m free at the start, ";
-  text += fairness.witness.empty() ? "no witness reaches the goal"
-                                   : fairness.witness + " reaches the goal";
+  text += !fairness.witness.empty() ? fairness.witness + " reaches the goal"
+          : has_witnesses           ? "no witness reaches the goal"
+                                    : "no other method was asked";
   return text + (fairness.repeatable ? ", repeated bit for bit" : ", not repeated");
 }
 
@@ -56,7 +57,7 @@ std::string failure_text(const Failure& failure, const FalsificationSetup& setup
           size_text(failure.original.bounds()) + " -> " + size_text(small.scenario.bounds()) +
           ", " + std::to_string(small.runs) + " runs, end moved " + format_fixed(small.moved, 2) +
           " m\n";
-  text += "  " + fairness_text(small.fairness) + "\n";
+  text += "  " + fairness_text(small.fairness, !setup.witnesses_in(small.scenario).empty()) + "\n";
   text += small.minimal ? "  minimal: each obstacle was removed alone\n"
                         : "  not proven minimal: the limit of runs is reached\n";
   for (const Removal& removal : small.removals)

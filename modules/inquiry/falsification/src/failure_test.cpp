@@ -24,7 +24,7 @@ Judgment FailureTest::decide(const Scenario& scenario) {
   ++runs_;
   const Trial& run = trials_.trial(world, 0);
   if (run.outcome != outcome_) return {false, setup_.method.name + ": " + to_string(run.outcome)};
-  if (!fairness_.witness) return {true, "the same failure"};
+  if (!needs_witness(fairness_, scenario, outcome_)) return {true, "the same failure"};
   std::string reason;
   for (const std::size_t i : setup_.witnesses_in(scenario)) {
     ++runs_;

@@ -92,6 +92,13 @@ bool has_fair_geometry(const World& world, const RobotModel& robot,
   return has_bottleneck(world, {start.x, start.y}, scenario.goal(), width);
 }
 
+bool needs_witness(const FairnessOptions& options, const Scenario& scenario, Outcome outcome) {
+  if (options.witness != NeedsWitness::NotForOwn) return options.witness == NeedsWitness::Always;
+  const bool moves = !scenario.movers().empty() || !scenario.people().empty();
+  return outcome == Outcome::Stuck || outcome == Outcome::Timeout ||
+         (outcome == Outcome::Collision && moves);
+}
+
 FairnessReport judge_failure(const FalsificationSetup& setup, const Scenario& scenario,
                              const Trial& failure, const FairnessOptions& options) {
   FairnessReport report;
@@ -109,7 +116,7 @@ FairnessReport judge_failure(const FalsificationSetup& setup, const Scenario& sc
     report.witness_run = std::move(run);
     break;
   }
-  if (options.witness && report.witness.empty())
+  if (report.witness.empty() && needs_witness(options, scenario, failure.outcome))
     report.violations.push_back(without_witness(setup, witnesses));
   report.repeatable = is_same_run(failure, run_alone(setup, scenario, 0));
   if (options.repeatable && !report.repeatable)

@@ -121,7 +121,7 @@ class SearchRound {
   }
 
   bool has_witness_alone(const CandidateRun& run) const {
-    const Scenario scenario = deserialize_scenario(run.scenario, "search");
+    const Scenario scenario = scenario_of(run);
     for (const std::size_t i : setup_.witnesses_in(scenario))
       if (run_alone(setup_, scenario, i).outcome == Outcome::Success) return true;
     return false;
@@ -143,18 +143,25 @@ class SearchRound {
     if (run.trial.outcome == Outcome::Success) {
       if (strategy == SearchStrategy::Random) add_near_miss(run);
     } else if (runner_.is_failure(run.trial.outcome)) {
-      const bool counts = !run.scenario.empty() && (run.witnessed || !options_.fairness.witness);
+      const bool counts = !run.scenario.empty() && (run.witnessed || is_own(run));
       ++(counts ? tally.failures : tally.without_witness);
       if (counts && state_.failures.size() < kOverSampling * options_.max_failures)
-        state_.failures.push_back(
-            {strategy, run.index, deserialize_scenario(run.scenario, "search"), run.trial});
+        state_.failures.push_back({strategy, run.index, scenario_of(run), run.trial});
     }
+  }
+
+  static Scenario scenario_of(const CandidateRun& run) {
+    return deserialize_scenario(run.scenario, "search");
+  }
+
+  bool is_own(const CandidateRun& run) const {
+    return !needs_witness(options_.fairness, scenario_of(run), run.trial.outcome);
   }
 
   void add_near_miss(const CandidateRun& run) {
     auto& calls = state_.near_misses;
     if (calls.size() >= kMaxCloseCalls && run.trial.clearance >= calls.back().clearance) return;
-    calls.push_back({deserialize_scenario(run.scenario, "search"), run.trial.clearance});
+    calls.push_back({scenario_of(run), run.trial.clearance});
     std::stable_sort(calls.begin(), calls.end(),
                      [](const auto& a, const auto& b) { return a.clearance < b.clearance; });
     if (calls.size() > kMaxCloseCalls) calls.pop_back();

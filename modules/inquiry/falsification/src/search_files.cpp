@@ -32,7 +32,7 @@ std::string search_identity(const std::string& methods, const FalsificationSetup
   }
   const FairnessOptions& fairness = options.fairness;
   hasher.add(fairness.min_bottleneck).add(fairness.min_start_clearance).add(fairness.min_distance);
-  hasher.add(std::uint64_t{fairness.witness}).add(std::uint64_t{options.probe});
+  hasher.add(static_cast<std::uint64_t>(fairness.witness)).add(std::uint64_t{options.probe});
   hasher.add(options.seed).add(std::uint64_t{options.max_failures});
   for (const Outcome outcome : options.outcomes) hasher.add(to_string(outcome));
   return hasher.hex();

@@ -22,16 +22,18 @@ std::string tally_text(const SearchTally& tally) {
 }
 
 /// States what the upper limit counts, and which runs without success it does not.
-std::string limit_text(const SearchTally& tally, const std::vector<Outcome>& counted) {
+std::string limit_text(const SearchTally& tally, const SearchOptions& options) {
   std::vector<std::string> names, others;
-  for (const Outcome outcome : counted) names.push_back(to_string(outcome));
+  for (const Outcome outcome : options.outcomes) names.push_back(to_string(outcome));
   for (const auto& [outcome, runs] : tally.outcomes)
     if (outcome != to_string(Outcome::Success) && !contains(names, outcome))
       others.push_back(std::to_string(runs) + " " + outcome);
   if (tally.without_witness > 0)
     others.push_back(std::to_string(tally.without_witness) + " failures without a witness");
-  return "          0 of " + std::to_string(tally.runs) +
-         " failed where a witness reaches the goal: with 95 % confidence at most " +
+  return "          0 of " + std::to_string(tally.runs) + " failed" +
+         (options.fairness.witness == NeedsWitness::Always ? " where a witness reaches the goal"
+                                                           : "") +
+         ": with 95 % confidence at most " +
          format_number(std::round(tally.rule_of_three() * 1e6) / 1e6) +
          " of such scenarios do\n          a failure is " + join(names, ", ") +
          (others.empty() ? "" : "; not counted: " + join(others, ", ")) + "\n";
@@ -47,11 +49,11 @@ nlohmann::json tally_json(const SearchTally& tally) {
 }  // namespace
 
 std::string search_text(const SearchResult& result, const KeptFailures& kept,
-                        const std::vector<Outcome>& counted) {
+                        const SearchOptions& options) {
   const SearchState& state = result.state;
   std::string text = "random    " + tally_text(state.random) + "\n";
   if (state.random.failures == 0 && state.random.runs > 0)
-    text += limit_text(state.random, counted);
+    text += limit_text(state.random, options);
   text += "adaptive  " + tally_text(state.adaptive) + "\nended     " + result.stopped + "\n";
   if (kept.failures.empty()) return text;
   text += "kept      " + count_text(kept.failures.size(), "failure");

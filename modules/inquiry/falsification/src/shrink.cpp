@@ -33,7 +33,7 @@ FairnessOptions attainable(const FairnessOptions& wanted, TrialSource& trials,
   options.min_distance = std::min(wanted.min_distance, geometry.distance);
   options.people_walk =
       wanted.people_walk && problem_of_people(original, robot.shape().enclosing_radius()).empty();
-  options.witness = wanted.witness && any_witness_succeeds(trials, setup, original);
+  if (!any_witness_succeeds(trials, setup, original)) options.witness = NeedsWitness::Never;
   return options;
 }
 

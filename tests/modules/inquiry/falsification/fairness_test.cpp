@@ -104,15 +104,38 @@ TEST(Fairness, AWitnessProvesThatTheScenarioCanBeSolved) {
   setup.witnesses = {planted("squeeze")};
   EXPECT_FALSE(judge_failure(setup, passage(), failure, {}).fair());
   FairnessOptions options;
-  options.witness = false;
+  options.witness = NeedsWitness::Never;
   EXPECT_TRUE(judge_failure(setup, passage(), failure, options).fair());
+}
+
+TEST(Fairness, AMethodsOwnFailureNeedsNoWitnessUnlessOneIsNamed) {
+  FalsificationSetup setup = planted_setup("squeeze");
+  setup.witnesses.clear();
+  Trial failure = squeeze_trial(setup);
+  FairnessOptions options;
+  EXPECT_FALSE(judge_failure(setup, passage(), failure, options).fair());
+  options.witness = NeedsWitness::NotForOwn;
+  ASSERT_EQ(failure.outcome, Outcome::Collision);
+  EXPECT_TRUE(judge_failure(setup, passage(), failure, options).fair());
+  const Scenario still = passage();
+  Mover mover;
+  mover.id = "cart";
+  mover.radius = 0.1;
+  mover.waypoints = {{0, {0, 0}}};
+  const Scenario moving = still.with_movers({mover});
+  for (const Outcome outcome : {Outcome::Collision, Outcome::MethodCrash, Outcome::LeftWorkspace})
+    EXPECT_FALSE(needs_witness(options, still, outcome)) << to_string(outcome);
+  for (const Outcome outcome : {Outcome::Stuck, Outcome::Timeout})
+    EXPECT_TRUE(needs_witness(options, still, outcome)) << to_string(outcome);
+  EXPECT_TRUE(needs_witness(options, moving, Outcome::Collision));
+  EXPECT_FALSE(needs_witness(options, moving, Outcome::MethodCrash));
 }
 
 TEST(Fairness, AScenarioInWhichNobodyCanArriveInTimeIsUnfair) {
   FalsificationSetup setup = planted_setup("squeeze");
   const Trial failure = squeeze_trial(setup);
   FairnessOptions options;
-  options.witness = false;
+  options.witness = NeedsWitness::Never;
   ASSERT_TRUE(judge_failure(setup, passage(), failure, options).fair());
   setup.run.simulation.max_time = 1;
   const std::vector<std::string> violations =

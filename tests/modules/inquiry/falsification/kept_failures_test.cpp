@@ -118,14 +118,19 @@ TEST(SearchSummary, BoundsTheProbabilityOfFailuresThatWereNotFound) {
   result.state.random.without_witness = 2;
   result.state.random.outcomes = {{"success", 290}, {"timeout", 8}, {"collision", 2}};
   result.stopped = "run budget exhausted";
-  const std::string text = search_text(result, {}, {Outcome::Collision});
+  SearchOptions options;
+  options.outcomes = {Outcome::Collision};
+  const std::string text = search_text(result, {}, options);
+  EXPECT_TRUE(mentions(text, {"0 of 300 failed where a witness reaches the goal: with 95 %"}));
   EXPECT_TRUE(mentions(text, {"at most 0.01 ", "a failure is collision", "not counted: 8 timeout",
                               "2 failures without a witness", "ended     run budget"}));
   const auto json = nlohmann::json::parse(search_json(result, {}, 5));
   EXPECT_EQ(json["seed"], 5);
   EXPECT_EQ(json["upper_limit_95"], 3.0 / 300);
+  options.fairness.witness = NeedsWitness::NotForOwn;
+  EXPECT_TRUE(mentions(search_text(result, {}, options), {"0 of 300 failed: with 95 %"}));
   result.state.random.failures = 1;
-  EXPECT_EQ(search_text(result, {}, {Outcome::Collision}).find("at most"), std::string::npos);
+  EXPECT_EQ(search_text(result, {}, options).find("at most"), std::string::npos);
   EXPECT_FALSE(nlohmann::json::parse(search_json(result, {}, 5)).contains("upper_limit_95"));
 }
 

@@ -130,7 +130,7 @@ TEST(Search, FindsCollisionsWithPeople) {
   setup.people.count = 3;
   setup.run.people.notices = 0;
   SearchOptions options = options_of(40);
-  options.fairness.witness = false;
+  options.fairness.witness = NeedsWitness::Never;
   int with_person = 0;
   for (const FoundFailure& found : search(setup, options).state.failures) {
     EXPECT_EQ(found.scenario.people().size(), 3U);
@@ -144,7 +144,7 @@ TEST(Search, FindsCollisionsWithWalkers) {
   FalsificationSetup setup = planted_setup("none");
   setup.walkers.count = 3;
   SearchOptions options = options_of(40);
-  options.fairness.witness = false;
+  options.fairness.witness = NeedsWitness::Never;
   int with_mover = 0;
   for (const FoundFailure& found : search(setup, options).state.failures) {
     EXPECT_EQ(found.scenario.movers().size(), 3U);
@@ -257,7 +257,7 @@ TEST(Search, WalkersOfTheSetupAreInAllScenarios) {
   setup.walkers.count = 2;
   setup.witnesses.clear();
   SearchOptions options = options_of(any_number(40));
-  options.fairness.witness = false;
+  options.fairness.witness = NeedsWitness::Never;
   options.outcomes.push_back(Outcome::Timeout);
   const SearchResult result = search(setup, options);
   ASSERT_FALSE(result.state.failures.empty()) << "a method that does not predict movers";

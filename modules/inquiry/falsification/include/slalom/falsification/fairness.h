@@ -8,6 +8,13 @@
 
 namespace slalom {
 
+/// The failures in which a witness must reach the goal.
+enum class NeedsWitness {
+  Never,
+  NotForOwn,  ///< in all but those that only the method itself can cause: see needs_witness()
+  Always
+};
+
 /// When a failure is fair. Each condition can be switched off.
 struct FairnessOptions {
   /// Certified width of the widest path from start to goal, in widths of the robot's enclosing
@@ -17,9 +24,13 @@ struct FairnessOptions {
       0.1;  ///< m, between the robot at the start and obstacles or people; 0: not required
   double min_distance = 1;  ///< m, straight-line distance from start to goal; 0: not required
   bool people_walk = true;  ///< problem_of_people() finds none
-  bool witness = true;      ///< a witness reaches the goal
-  bool repeatable = true;   ///< a new process repeats the run bit for bit
+  NeedsWitness witness = NeedsWitness::Always;
+  bool repeatable = true;  ///< a new process repeats the run bit for bit
 };
+
+/// Whether a witness must reach the goal. With NotForOwn it need not where a method collides with
+/// what does not move, leaves the workspace, or fails as a program: whoever stands still does not.
+bool needs_witness(const FairnessOptions& options, const Scenario& scenario, Outcome outcome);
 
 /// The geometric conditions, which need no run.
 struct GeometryReport {

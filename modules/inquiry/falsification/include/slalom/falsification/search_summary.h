@@ -5,15 +5,13 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace slalom {
 
 /// Text for people: the runs and failures of both halves, why the search ended, and what was kept.
-/// If the random half has no failure, the upper limit of their probability. `counted`:
-/// SearchOptions::outcomes.
+/// If the random half has no failure, the upper limit of their probability.
 std::string search_text(const SearchResult& result, const KeptFailures& kept,
-                        const std::vector<Outcome>& counted);
+                        const SearchOptions& options);
 
 /// The same as JSON, for write_failures().
 std::string search_json(const SearchResult& result, const KeptFailures& kept, std::uint64_t seed);
