@@ -7,6 +7,7 @@
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/summary.h>
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -222,13 +223,13 @@ void define_figure(CLI::App& app) {
                 [](const Words&) { return descriptor_ids(); });
   verb->add_option("--method", arguments.method, "With --scenario or --cell: only this method");
   verb->add_option("--count", arguments.count, "With --cell: at most this number of scenarios")
-      ->check(CLI::Range(1, 200))
+      ->check(in_range(1, 200))
       ->capture_default_str();
   verb->add_option("--columns", arguments.columns, "With --cell: pictures per row")
-      ->check(CLI::Range(1, 20))
+      ->check(in_range(1, 20))
       ->capture_default_str();
   verb->add_option("--pixels", arguments.pixels, "Longer side of a scenario, pixels")
-      ->check(CLI::Range(16, 10000))
+      ->check(in_range(16, 10000))
       ->capture_default_str();
   verb->add_option("-o,--output", arguments.output,
                    "A .svg file, or .pdf or .png (need rsvg-convert of the package librsvg2-bin)")

@@ -3,6 +3,7 @@
 #include "key_options.h"
 
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/available_cores.h>
@@ -29,16 +30,16 @@ void add_choice_options(CLI::App& verb, InterpretArguments& a) {
                 known_methods);
   verb.add_option("--confidence", a.request.confidence,
                   "Confidence of intervals, e.g. 0.95; the level of tests is 1 - confidence")
-      ->check(CLI::Range(0.5, 0.9999));
+      ->check(in_range(0.5, 0.9999));
   add_key_options(verb, a.table, false);
 }
 
 void add_comparison_options(CLI::App& verb, InterpretArguments& a) {
   verb.add_option("--relevant", a.request.relevant,
                   "Smallest difference of interest (default: 0.05 for rates, else 5 % of the mean)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb.add_option("--power", a.request.power, "Statistical power for that difference")
-      ->check(CLI::Range(0.5, 0.999))
+      ->check(in_range(0.5, 0.999))
       ->capture_default_str();
 }
 

@@ -14,6 +14,7 @@
 #include "warnings.h"
 
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_options.h>
@@ -64,7 +65,7 @@ void add_table_options(CLI::App& verb, Arguments& arguments) {
                                 "Metric ids, comma-separated (default: the campaign's [analysis])"),
                 [](const Words&) { return metric_ids(); });
   verb.add_option("--confidence", arguments.confidence, "Confidence of intervals, e.g. 0.95")
-      ->check(CLI::Range(0.5, 0.9999));
+      ->check(in_range(0.5, 0.9999));
 }
 
 /// The options of the campaign, overridden by the command line.

@@ -4,6 +4,7 @@
 
 #include <slalom/analysis/cell_text.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/checks.h>
 #include <slalom/bags/bag.h>
 #include <slalom/bags/bag_trajectory.h>
 #include <slalom/campaign/evaluate_log.h>
@@ -178,7 +179,7 @@ void define_metrics(CLI::App& app) {
   verb->add_option(
           "--rate", arguments.selection.rate,
           "Poses per second of a log without times (12 numbers a line, KITTI; 6, MRPT), Hz")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb->add_option("--from", arguments.selection.from,
                    "Time in the log at which the run begins, s (default: its first)");
   verb->add_option("--to", arguments.selection.to,

@@ -5,6 +5,7 @@
 
 #include <slalom/analysis/sim2real.h>
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/tables/analysis_input.h>
@@ -56,10 +57,10 @@ void define_sim2real(CLI::App& app) {
                 [](const Words&) { return metric_ids(); });
   add_key_options(*verb, arguments.table, false);
   verb->add_option("--confidence", arguments.confidence, "Confidence of intervals and tests")
-      ->check(CLI::Range(0.5, 0.9999))
+      ->check(in_range(0.5, 0.9999))
       ->capture_default_str();
   verb->add_option("--power", arguments.power, "Statistical power for the seen differences")
-      ->check(CLI::Range(0.5, 0.9999))
+      ->check(in_range(0.5, 0.9999))
       ->capture_default_str();
   verb->add_flag("--json", arguments.json, "Print one JSON object");
   verb->callback([] { compare(arguments); });

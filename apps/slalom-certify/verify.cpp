@@ -2,6 +2,7 @@
 #include "verbs.h"
 
 #include <slalom/app/certificate.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
@@ -63,7 +64,7 @@ void define_verify(CLI::App& app) {
       ->required();
   verb->add_option("--sample", arguments.sample,
                    "Only that many batches of a risk, chosen at random")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb->add_option("--seed", arguments.seed, "The sample of an earlier call");
   verb->add_flag("--trust", arguments.trust,
                  "Execute the libraries, modules and commands that the certificate names");

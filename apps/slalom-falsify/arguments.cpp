@@ -2,6 +2,7 @@
 #include "arguments.h"
 
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/checks.h>
 #include <slalom/campaign/campaign.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
@@ -60,15 +61,15 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
   FairnessOptions& fairness = arguments.fairness;
   app.add_option("--min-bottleneck", fairness.min_bottleneck,
                  "Certified width of the widest path, in robot widths; 0: any")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   app.add_option("--min-clearance", fairness.min_start_clearance,
                  "Free distance around the robot at the start, m; 0: any")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   app.add_option("--min-distance", fairness.min_distance,
                  "Straight-line distance from start to goal, m; 0: any")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   app.add_flag_callback(
       "--no-witness", [&fairness] { fairness.witness = NeedsWitness::Never; },
@@ -77,7 +78,7 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
       "--no-repeat", [&fairness] { fairness.repeatable = false; },
       "Accept failures that a new process does not repeat bit for bit");
   app.add_option("--max-runs", arguments.max_runs, "Runs to shrink one failure")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   app.add_option("--set", arguments.campaign.overrides,
                  "Override a key of the .ini: SECTION.KEY=VALUE")

@@ -3,6 +3,7 @@
 #include "verbs.h"
 
 #include <slalom/app/campaign_names.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/existing_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/output_folder.h>
@@ -195,14 +196,14 @@ void define_search(CLI::App& app) {
           "--failures", arguments.search.max_failures,
           "Stop after the round that reaches this many failures, and report as many distinct "
           "ones")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   CLI::Option* runs =
       verb->add_option("--runs", arguments.runs, "Budget: runs of the method (default 10000)")
-          ->check(CLI::PositiveNumber);
+          ->check(above_zero());
   verb->add_option("--minutes", arguments.search.minutes,
                    "Budget: wall-clock time, of each execution of the command")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->excludes(runs);
   verb->add_option("--seed", campaign.seed, "Seed instead of [campaign] seed");
   add_jobs_option(*verb, campaign.jobs, "Worker processes");

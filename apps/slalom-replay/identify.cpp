@@ -3,6 +3,7 @@
 #include "verbs.h"
 
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/checks.h>
 #include <slalom/core/error.h>
 #include <slalom/rawlog/identification.h>
 
@@ -71,7 +72,7 @@ void define_identify(CLI::App& app) {
                    "Use only scans of the sensor with this label");
   add_bag_options(*verb, arguments.selection);
   verb->add_option("--max-delay", arguments.max_delay, "Maximum delay of commands, s")
-      ->check(CLI::Range(0.01, 10.0))
+      ->check(in_range(0.01, 10.0))
       ->capture_default_str();
   verb->add_flag("--json", arguments.json, "Print one JSON object");
   verb->callback([] { identify_robot(arguments); });

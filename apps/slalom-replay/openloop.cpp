@@ -5,6 +5,7 @@
 #include <slalom/app/adapters.h>
 #include <slalom/app/campaign_names.h>
 #include <slalom/app/campaign_program.h>
+#include <slalom/app/checks.h>
 #include <slalom/campaign/campaign_options.h>
 #include <slalom/core/error.h>
 #include <slalom/io/result_file.h>
@@ -87,7 +88,7 @@ void define_openloop(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false);
   verb->add_option("--goal-ahead", arguments.goal_ahead, "Distance of the goal straight ahead, m")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(in_range(0.1, 1000.0))
       ->capture_default_str();
   verb->add_option("--label", arguments.label, "Use only scans of the sensor with this label");
   add_bag_options(*verb, arguments.selection);

@@ -2,6 +2,7 @@
 #include "play_window.h"
 #include "verbs.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/app/recorded_campaign.h>
 #include <slalom/core/error.h>
@@ -51,7 +52,7 @@ void draw_images(const RecordedRun& run, const Scenario& scenario, const Campaig
 
 void play(const PlayArguments& arguments) {
   if (arguments.folder.empty() && !arguments.window)
-    throw usage_error("slalom-replay play", "no output selected", "--gui or --png DIR");
+    throw usage_error("play", "no output selected", "--gui or --png DIR");
   const RecordedRun run = read_run(arguments.log);
   const CampaignOptions options = read_campaign_options(campaign_of(run, arguments.log, "", {}));
   const Scenario scenario = scenario_of(run, arguments.log);
@@ -76,10 +77,10 @@ void define_play(CLI::App& app) {
       ->needs(window);
   verb->add_option("--png", arguments.folder, "Output folder for frame_000000.png, ...");
   verb->add_option("--every", arguments.every, "Control cycles per image")
-      ->check(CLI::Range(1, 1000000))
+      ->check(in_range(1, 1000000))
       ->capture_default_str();
   verb->add_option("--size", arguments.pixels, "Length of the longer side, pixels")
-      ->check(CLI::Range(16, 8192))
+      ->check(in_range(16, 8192))
       ->capture_default_str();
   verb->callback([] { play(arguments); });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/program.h>
 #include <slalom/commands/convert_list.h>
 #include <slalom/core/printable.h>
@@ -50,15 +51,15 @@ void add_convert(CLI::App& app) {
   add_choice(*verb, "--to", arguments.conversion.to, "continuous, grid or points")->required();
   verb->add_option("--resolution", arguments.conversion.options.resolution,
                    "Cell size of grids, spacing of points on boundaries, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--tolerance", arguments.conversion.options.tolerance,
                    "Tolerance of polygon simplification, m; 0: exact")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   verb->add_option("--radius", arguments.conversion.options.point_radius,
                    "Radius of discs that replace points, m; 0: half the resolution")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   verb->add_flag("--skip-blocked", arguments.conversion.skip_blocked,
                  "Skip scenarios whose start or goal becomes occupied");
@@ -82,7 +83,7 @@ void add_export(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--resolution", arguments.options.resolution,
                    "Cell size of maps made from other representations, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("-o,--output", arguments.output, "The file to write")->required();
   verb->callback([] { export_one(arguments); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verbs.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/campaign/describe_scenario.h>
 #include <slalom/commands/describe_list.h>
@@ -127,13 +128,13 @@ void add_describe_verb(CLI::App& app) {
   verb->add_option("--footprint", arguments.footprint,
                    "Convex polygon x,y; x,y; ... (m) instead of the disc");
   verb->add_option("--sensor-range", arguments.list.sensor_range, "Maximum range of the sensor, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_flag("--exact-confinement", arguments.exact_confinement,
                  "Exact confinement from all free cells instead of sampling; takes seconds");
   verb->add_option("--barn-visibility", arguments.barn_visibility,
                    "Published version of barn_visibility")
-      ->check(CLI::IsMember({2021, 2020}))
+      ->check(in_range(2020, 2021))
       ->capture_default_str();
   verb->add_flag("--json", arguments.list.json, "One JSON object per scenario");
   verb->callback([] { run(arguments); });

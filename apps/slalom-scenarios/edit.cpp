@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/commands/edit_movers.h>
 #include <slalom/commands/recorded_people.h>
 #include <slalom/core/error.h>
@@ -76,13 +77,13 @@ void add_movers_verb(CLI::App& app) {
       "obsmat.txt (ETH, UCY), or an agents.yaml (HuNavSim)");
   verb->add_flag("--remove", arguments.remove, "Remove all instead")->excludes(file);
   verb->add_option("--radius", arguments.options.radius, "Radius without a column r, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--begin", arguments.options.begin, "Time in the file at which runs begin, s")
       ->capture_default_str();
   verb->add_option("--frame-rate", arguments.options.frame_rate,
                    "Frames per second of the recording; required for files with frames")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb->add_flag("--react", arguments.react,
                  "Make people of them, in place of the moving obstacles and the people of the "
                  "scenario: they start when and where they were recorded and walk to their last "
@@ -91,7 +92,7 @@ void add_movers_verb(CLI::App& app) {
   verb->add_option("--resolution", arguments.one.resolution,
                    "With --react: cell size of the walls in which nobody may start, for scenarios "
                    "that are not grids, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->callback([] { set_movers(arguments); });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/commands/describe_list.h>
@@ -60,7 +61,7 @@ CLI::App* add_filter_verb(CLI::App& app, const std::string& name, const std::str
                    "Scenarios with these ids or names, comma-separated");
   add_robot_options(*verb, arguments.list);
   verb->add_option("--sensor-range", arguments.list.sensor_range, "Maximum range of the sensor, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_flag("--quiet", arguments.quiet, "No progress and no messages");
   return verb;
@@ -72,7 +73,7 @@ void add_order_options(CLI::App& verb, FilterArguments& arguments) {
                       "Sort order, such as \"density desc, name\" (default: order of the list)"),
       field_names);
   verb.add_option("--limit", arguments.selection.limit, "Maximum number of scenarios")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
 }
 
 DescriptorView describe_all(ScenarioList& list, const ListArguments& arguments,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generate.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/app/existing_options.h>
 #include <slalom/app/interrupt.h>
@@ -38,8 +39,7 @@ struct GenerateArguments {
 
 IniFile load_ini(const GenerateArguments& arguments) {
   if (arguments.config.empty() && arguments.family.empty())
-    throw usage_error("slalom-scenarios generate", "no scenarios described",
-                      "--family NAME or --config FILE.ini");
+    throw usage_error("generate", "no scenarios described", "--family NAME or --config FILE.ini");
   IniFile ini = arguments.config.empty() ? IniFile::from_text("") : IniFile::load(arguments.config);
   if (!arguments.family.empty()) ini.set("scenarios", "generator", arguments.family);
   for (const std::string& assignment : arguments.overrides) ini.override_key(assignment);
@@ -137,7 +137,7 @@ void add_generate_verb(CLI::App& app) {
   verb->add_option("-n,--count", arguments.count,
                    "Number of scenarios, overrides [scenarios] count; or per bin, overrides "
                    "[coverage] per_bin")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   verb->add_option("--seed", arguments.seed, "Seed instead of [campaign] seed (default: 1)");
   add_jobs_option(*verb, arguments.jobs, "Threads; the list does not depend on their number");
   complete_with(verb->add_option("--describe", arguments.descriptors,

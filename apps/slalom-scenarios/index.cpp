@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/commands/describe_list.h>
 #include <slalom/core/error.h>
@@ -92,7 +93,7 @@ void add_index_verbs(CLI::App& app) {
   verb->add_option("--edges", created.edges, "Edges of the ranges, comma-separated")->required();
   add_robot_options(*verb, created.list);
   verb->add_option("--sensor-range", created.list.sensor_range, "Maximum range of the sensor, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_flag("--quiet", created.quiet, "No progress and no messages");
   verb->callback([] { create(created); });

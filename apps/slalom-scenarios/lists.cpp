@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
@@ -97,7 +98,7 @@ void add_lists_verbs(CLI::App& app) {
   verb = add_list_verb(app, "split", "Split into a development and a held-out list",
                        halves.filter.list);
   verb->add_option("--fraction", halves.split.held_out, "Fraction that is held out")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->capture_default_str();
   verb->add_option("--seed", halves.split.seed, "Seed")->capture_default_str();
   verb->add_option("--development", halves.development, "The list to write")->required();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verbs.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/program.h>
 
 namespace slalom {
@@ -23,11 +24,11 @@ void add_scenario_argument(CLI::App& verb, ListArguments& arguments, bool requir
 
 void add_robot_options(CLI::App& verb, ListArguments& arguments) {
   verb.add_option("--robot-radius", arguments.robot_radius, "Radius of the robot, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb.add_option("--resolution", arguments.resolution,
                   "Cell size for scenarios that are not grids, m")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verbs.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/io/reference_text.h>
@@ -86,24 +87,24 @@ void add_reference_verb(CLI::App& app) {
                    "Convex polygon x,y; x,y; ... (m) instead of the disc");
   verb->add_option("--min-turning-radius", arguments.robot.min_turning_radius,
                    "Minimum turning radius of a car-like robot, m: Dubins curves")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   verb->add_flag_callback(
       "--reverse", [] { arguments.robot.forward_only = false; },
       "Allow reverse motion: Reeds-Shepp curves");
   verb->add_option("--gap", arguments.planner.gap, "Relative gap to the lower bound")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--max-speed", arguments.arrival.max_speed,
                    "Maximum speed of the robot, m/s, for the earliest arrival")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--goal-tolerance", arguments.arrival.goal_tolerance,
                    "Distance from the goal within which the robot has arrived, m")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   verb->add_option("--max-time", arguments.arrival.max_time, "Latest arrival, s")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--seed", arguments.seed, "Seed of the planner")->capture_default_str();
   verb->add_flag("--json", arguments.list.json, "One JSON object per scenario");

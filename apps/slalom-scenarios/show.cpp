@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "filter.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/core/error.h>
 #include <slalom/core/printable.h>
 #include <slalom/core/text.h>
@@ -114,7 +115,7 @@ void add_show_verbs(CLI::App& app) {
   add_scenario_argument(*verb, rendered.list);
   verb->add_option("-o,--output", rendered.output, "A .png or .svg file")->required();
   verb->add_option("--pixels", rendered.pixels, "Longer side of the image, pixels")
-      ->check(CLI::Range(16, 10000))
+      ->check(in_range(16, 10000))
       ->capture_default_str();
   verb->add_flag("--bare", rendered.bare, "Without reference paths");
   add_robot_options(*verb, rendered.list);

@@ -2,6 +2,7 @@
 #include "verbs.h"
 
 #include <slalom/app/campaign_arguments.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/campaign/campaign_folder.h>
@@ -155,7 +156,7 @@ void define_slurm(CLI::App& app) {
       ->required();
   verb->add_option("--shards", arguments.shards, "Number of shards, one task each")
       ->required()
-      ->check(CLI::Range(std::size_t{1}, kMaxShards));
+      ->check(in_range(1, kMaxShards));
   verb->add_option("--template", arguments.template_path,
                    "Lines for both scripts: more #SBATCH options, commands such as module load");
   verb->add_flag("--submit", arguments.submit,

@@ -3,6 +3,7 @@
 #include "verbs.h"
 
 #include <slalom/app/bundled_methods.h>
+#include <slalom/app/checks.h>
 #include <slalom/app/external_options.h>
 #include <slalom/app/interrupt.h>
 #include <slalom/app/program.h>
@@ -85,7 +86,7 @@ void define_verify(CLI::App& app) {
       ->required();
   CLI::Option* fraction =
       verb->add_option("--fraction", arguments.sample.fraction, "Part of the scenarios")
-          ->check(CLI::Range(0.0, 1.0))
+          ->check(in_range(0.0, 1.0))
           ->capture_default_str();
   CLI::Option* run =
       verb->add_option("--run", arguments.sample.run, "Only this run: SCENARIO/METHOD/REPETITION")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "services.h"
 
+#include <slalom/app/checks.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
@@ -119,7 +120,7 @@ void define(CLI::App& app) {
   app.add_option("--scale", arguments.scale,
                  "Screen pixels per pixel of the window, to enlarge texts and all else (default: "
                  "that of the desktop; 1 with --script)")
-      ->check(CLI::Range(kMinScale, kMaxScale));
+      ->check(in_range(kMinScale, kMaxScale));
   app.add_option("--script", arguments.script,
                  "Plays the user input of a script file, then exits (docs/guide/studio.md)");
   app.add_option("--settings", arguments.settings,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/app/checks.h>
 #include <slalom/app/completion.h>
 #include <slalom/app/man_page.h>
 #include <slalom/app/program.h>
@@ -10,6 +11,7 @@
 #include <slalom/core/version.h>
 
 #include <csignal>
+#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <iostream>
@@ -47,13 +49,29 @@ std::vector<std::string> verbs(const CLI::App& app) {
   return names;
 }
 
+/// The message of CLI11; of a value that is not of its type as those of checks.h.
+std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
+  constexpr const char* kBegin = "Could not convert: ";
+  const std::string text = error.what();
+  const std::size_t end = text.find(" = ");
+  if (!starts_with(text, kBegin) || end == std::string::npos) return text;
+  const std::string name = text.substr(std::strlen(kBegin), end - std::strlen(kBegin));
+  const CLI::App* verb = &app;
+  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+  const CLI::Option* option = verb->get_option_no_throw(name);
+  const bool is_integer =
+      option != nullptr && option->get_type_name().find("INT") != std::string::npos;
+  return name + ": '" + printable_line(text.substr(end + 3)) + "' is not valid; expected " +
+         (is_integer ? "an integer" : "a number");
+}
+
 /// "unknown verb ..." if the first argument is not a verb, otherwise the message of CLI11.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
                           char** argv) {
   const std::vector<std::string> names = verbs(app);
   const std::string first = argc > 1 ? argv[1] : "";
   if (names.empty() || first.empty() || first[0] == '-' || contains(names, first)) {
-    return error.what();
+    return message_of(app, error);
   }
   const std::string nearest = nearest_name(first, names);
   std::string message = "unknown verb '" + first + "'; expected one of";
@@ -212,7 +230,7 @@ void add_argument(CLI::App& app, const Argument& argument, std::string& value) {
 
 CLI::Option* add_jobs_option(CLI::App& app, int& jobs, const std::string& help) {
   return app.add_option("-j,--jobs", jobs, help + "; 0: all cores that the program may use")
-      ->check(CLI::Range(0, 1024))
+      ->check(in_range(0, 1024))
       ->capture_default_str();
 }
 
@@ -256,6 +274,7 @@ int run_program(const std::string& name, const std::string& description, int arg
   try {
     app.set_version_flag("--version", name + " " + version(), "Print the version and exit");
     define(app);
+    check_numbers(app);
     if (!verbs(app).empty()) {
       app.require_subcommand(1);
       // Before the callback of the verb.
