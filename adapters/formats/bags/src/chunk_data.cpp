@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chunk_data.h"
 
+#include <slalom/core/error.h>
 #include <slalom/core/text.h>
 
+#include <algorithm>
 #include <bzlib.h>
+#include <fstream>
 #include <lz4frame.h>
 #include <memory>
 #include <new>
@@ -43,6 +46,38 @@ std::int64_t inflate_bz2(std::string_view packed, std::string& out) {
   return status == BZ_OK ? static_cast<std::int64_t>(size) : -1;
 }
 
+/// Decompresses frames of zstd that come in pieces.
+class ZstdStream {
+ public:
+  ZstdStream() {
+    if (!context_) throw std::bad_alloc();
+  }
+
+  /// Calls use(part) for what the bytes give; false if they are damaged, or if `use` returns false.
+  bool add(std::string_view packed, const std::function<bool(std::string_view)>& use) {
+    ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+    bool is_full = true;
+    while (in.pos < in.size || (is_full && state_ != 0)) {
+      ZSTD_outBuffer to{part_.data(), part_.size(), 0};
+      const std::size_t before = in.pos;
+      state_ = ZSTD_decompressStream(context_.get(), &to, &in);
+      if (ZSTD_isError(state_) != 0) return false;
+      if (to.pos > 0 && !use({part_.data(), to.pos})) return false;
+      if (to.pos == 0 && in.pos == before) break;
+      is_full = to.pos == to.size;
+    }
+    return true;
+  }
+
+  bool is_at_end() const { return state_ == 0; }  ///< of a frame
+
+ private:
+  std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context_{ZSTD_createDCtx(),
+                                                                   ZSTD_freeDCtx};
+  std::string part_ = std::string(ZSTD_DStreamOutSize(), '\0');
+  std::size_t state_ = 1;
+};
+
 }  // namespace
 
 std::string decompress_chunk(std::string_view method, std::string_view packed, std::uint64_t size,
@@ -68,23 +103,31 @@ bool is_zstd(std::string_view bytes) {
 }
 
 std::string decompress_zstd(std::string_view packed, const BagPlace& place) {
-  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(),
-                                                                        ZSTD_freeDCtx);
-  if (!context) throw std::bad_alloc();
+  ZstdStream stream;
   std::string out;
-  ZSTD_inBuffer in{packed.data(), packed.size(), 0};
-  std::string part(ZSTD_DStreamOutSize(), '\0');
-  std::size_t state = 1;
-  while (in.pos < in.size || state != 0) {
-    ZSTD_outBuffer to{part.data(), part.size(), 0};
-    const std::size_t before = in.pos;
-    state = ZSTD_decompressStream(context.get(), &to, &in);
-    if (ZSTD_isError(state) != 0 || (to.pos == 0 && in.pos == before && state != 0))
-      throw place.error("it cannot be decompressed");
-    out.append(part.data(), to.pos);
+  const bool complete = stream.add(packed, [&](std::string_view part) {
+    out += part;
     if (out.size() > kMaxChunkSize) throw place.error("it is too large uncompressed");
-  }
+    return true;
+  });
+  if (!complete || !stream.is_at_end()) throw place.error("it cannot be decompressed");
   return out;
+}
+
+void decompress_zstd_file(const std::string& path,
+                          const std::function<bool(std::string_view)>& use) {
+  std::ifstream file(path, std::ios::binary);
+  ZstdStream stream;
+  bool wanted = true;
+  const auto use_part = [&](std::string_view part) { return wanted = use(part); };
+  std::string bytes(ZSTD_DStreamInSize(), '\0');
+  while (wanted && file) {
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    const auto size = static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0));
+    if (!stream.add(std::string_view(bytes).substr(0, size), use_part) && wanted)
+      throw file_error(path, "cannot be decompressed", "a file compressed by zstd");
+  }
+  if (wanted && !stream.is_at_end()) throw file_error(path, "is cut off", "a complete file");
 }
 
 }  // namespace slalom

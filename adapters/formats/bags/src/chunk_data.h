@@ -3,6 +3,7 @@
 
 #include <slalom/bags/bag.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -21,5 +22,9 @@ bool is_zstd(std::string_view bytes);
 
 /// Decompresses frames of zstd of unknown size.
 std::string decompress_zstd(std::string_view packed, const BagPlace& place);
+
+/// Decompresses a file of frames of zstd part by part, until `use` returns false.
+void decompress_zstd_file(const std::string& path,
+                          const std::function<bool(std::string_view)>& use);
 
 }  // namespace slalom

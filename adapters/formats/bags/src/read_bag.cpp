@@ -2,7 +2,9 @@
 #include "bag_readers.h"
 #include "chunk_data.h"
 
+#include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
+#include <slalom/core/temporary_file.h>
 #include <slalom/core/text.h>
 
 #include <yaml-cpp/yaml.h>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 
 namespace slalom {
 namespace {
@@ -38,13 +41,27 @@ bool is_folder(const std::string& path) {
 }
 
 /// The first bytes of a file, "" if it cannot be read.
-std::string begin_of(const std::string& path) {
+std::string first_bytes(const std::string& path) {
   std::string bytes(16, '\0');
   std::ifstream file;
   std::error_code error;
   if (fs::is_regular_file(path, error)) file.open(path, std::ios::binary);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+/// The same, of a file that is compressed by zstd those of its content.
+std::string begin_of(const std::string& path) {
+  std::string bytes = first_bytes(path);
+  if (!is_zstd(bytes)) return bytes;
+  try {
+    decompress_zstd_file(path, [&](std::string_view part) {
+      bytes = part.substr(0, bytes.size());
+      return false;
+    });
+  } catch (const Error&) {  // no bag
+  }
   return bytes;
 }
 
@@ -73,13 +90,38 @@ std::vector<std::string> listed_files(const std::string& folder) {
   return files;
 }
 
+/// Reads a bag that is compressed as a whole by way of a temporary file, which errors do not name.
+std::vector<BagTopic> read_compressed_bag(const std::string& path, const Container& container,
+                                          const UseMessage& use) {
+  const fs::path folder = fs::temp_directory_path();
+  const TemporaryFile copy((folder / fs::path(path).stem()).string());
+  std::ofstream file(copy.name(), std::ios::binary);
+  decompress_zstd_file(path, [&](std::string_view part) {
+    file.write(part.data(), static_cast<std::streamsize>(part.size()));
+    return static_cast<bool>(file);
+  });
+  file.close();
+  if (!file) throw job_error(copy.name(), "cannot be written", "room for " + path);
+  try {
+    return container.read(copy.name(), use);
+  } catch (const Error& error) {
+    std::string message = error.what();
+    const std::size_t at = message.find(copy.name());
+    if (at != std::string::npos) message.replace(at, copy.name().size(), path);
+    throw Error(error.kind(), message);
+  }
+}
+
 std::vector<BagTopic> read_bag_file(const std::string& path, const UseMessage& use) {
   require_regular_file(path, kExpected);
-  if (const Container* container = container_of(path)) return container->read(path, use);
-  if (is_zstd(begin_of(path)))
-    throw file_error(path, "is compressed as a whole",
-                     "its uncompressed file: unzstd " + path + ", and its name without .zstd");
-  throw file_error(path, "is not a bag", kExpected);
+  const Container* container = container_of(path);
+  const bool is_compressed = is_zstd(first_bytes(path));
+  if (container == nullptr) {
+    if (is_compressed)  // throws if that is why
+      decompress_zstd_file(path, [](std::string_view) { return true; });
+    throw file_error(path, "is not a bag", kExpected);
+  }
+  return is_compressed ? read_compressed_bag(path, *container, use) : container->read(path, use);
 }
 
 bool is_same(const BagTopic& a, const BagTopic& b) {

@@ -4,6 +4,7 @@
 #include "sqlite_bag_writer.h"
 
 #include <slalom/bags/bag.h>
+#include <slalom/core/read_file.h>
 
 #include <gtest/gtest.h>
 
@@ -197,10 +198,36 @@ TEST_F(ReadBag, AFolderIsRefusedWhoseListIsDamaged) {
                            [&] { read_lines(folder_ / ""); }));
 }
 
-TEST_F(ReadBag, FilesThatAreCompressedAsAWholeAreNamed) {
-  const std::string path = write("a.db3.zstd", testing::zstd("SQLite format 3"));
-  EXPECT_TRUE(throws_error(ErrorKind::File, path, {"compressed as a whole", "unzstd"},
-                           [&] { read_lines(path); }));
+TEST_F(ReadBag, FilesThatAreCompressedAsAWholeAreReadAsTheirContent) {
+  const auto messages = some_messages(200);
+  testing::write_sqlite_bag(folder_ / "run_0.db3", messages);
+  const std::string bytes = read_text(folder_ / "run_0.db3", "a bag");
+  std::filesystem::remove(folder_ / "run_0.db3");
+  const std::string packed = testing::zstd(bytes);
+  const std::string path = write("run_0.db3.zstd", packed);
+  EXPECT_TRUE(is_bag(path));
+  EXPECT_EQ(bag_format(path), "rosbag2 in SQLite");
+  EXPECT_EQ(read_lines(path), lines_of(messages));
+  write("metadata.yaml", "rosbag2_bagfile_information:\n  relative_file_paths: [run_0.db3.zstd]\n");
+  EXPECT_EQ(read_lines(folder_ / ""), lines_of(messages));
+  // Two frames, as programs write that compress in parallel.
+  write("run_0.db3.zstd", testing::zstd(bytes.substr(0, 5000)) + testing::zstd(bytes.substr(5000)));
+  EXPECT_EQ(read_lines(path), lines_of(messages));
+  write("a.mcap.zstd", testing::zstd(bag_of<McapWriter>(messages)));
+  EXPECT_EQ(read_lines(folder_ / "a.mcap.zstd"), lines_of(messages));
+
+  write("run_0.db3.zstd", packed.substr(0, packed.size() / 2));
+  EXPECT_TRUE(throws_error(ErrorKind::File, path, {"is cut off"}, [&] { read_lines(path); }));
+  std::string damaged = packed;
+  damaged[damaged.size() / 2] ^= 0x55;
+  write("run_0.db3.zstd", damaged);
+  EXPECT_THROW(read_lines(path), Error);
+  write("run_0.db3.zstd", testing::zstd("t,x,y\n"));
+  EXPECT_FALSE(is_bag(path));
+  EXPECT_TRUE(throws_error(ErrorKind::File, path, {"is not a bag"}, [&] { read_lines(path); }));
+  // Errors name the file, not the temporary one.
+  write("run_0.db3.zstd", testing::zstd(bytes.substr(0, bytes.size() / 2)));
+  EXPECT_TRUE(throws_error(ErrorKind::File, path, {}, [&] { read_lines(path); }));
 }
 
 TEST_F(ReadBag, OtherFilesAreRefused) {
