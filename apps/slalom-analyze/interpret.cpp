@@ -77,11 +77,25 @@ Interpretation interpret(const InterpretArguments& arguments, const Interpreter&
   return found;
 }
 
+/// Chooses the format by the name of the output where no flag does.
+void choose_format(InterpretArguments& a) {
+  if (a.csv || a.json || a.latex || a.html) return;
+  a.csv = ends_with(a.output, ".csv");
+  a.json = ends_with(a.output, ".json");
+  a.latex = ends_with(a.output, ".tex");
+  a.html = ends_with(a.output, ".html");
+  a.markdown = ends_with(a.output, ".md");
+}
+
 void interpret_verb(const InterpretArguments& arguments, const Interpreter& interpreter) {
-  const Interpretation found = interpret(arguments, interpreter);
-  print_or_write(arguments.csv     ? render_csv(found)
-                 : arguments.json  ? render_json(found)
-                 : arguments.latex ? render_latex(found)
+  Interpretation found = interpret(arguments, interpreter);
+  // These formats are of plain tables.
+  const bool is_document = arguments.latex || arguments.html || arguments.markdown;
+  if (arguments.methods_as_columns || is_document) put_methods_in_columns(found);
+  print_or_write(arguments.csv        ? render_csv(found)
+                 : arguments.json     ? render_json(found)
+                 : arguments.latex    ? render_latex(found)
+                 : arguments.markdown ? render_markdown(found)
                  : arguments.html
                      ? render_html(found, interpreter.id + ": " + join(arguments.files, ", "))
                      : render_text(found),
@@ -95,6 +109,7 @@ void define_verb(CLI::App& app, const Interpreter& interpreter) {
   add_interpreter_options(*verb, *arguments, interpreter);
   verb->callback([arguments, &interpreter, verb] {
     if (verb->count("--csv") > 0) resolve_csv_option(*arguments);
+    choose_format(*arguments);
     interpret_verb(*arguments, interpreter);
   });
 }

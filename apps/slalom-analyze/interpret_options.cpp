@@ -17,7 +17,7 @@ namespace {
 void add_choice_options(CLI::App& verb, InterpretArguments& a) {
   complete_with(
       verb.add_option(
-          "--rows", a.request.rows,
+          "--rows,--by", a.request.rows,
           "Bins of a scenario descriptor or metric: all, ID:EDGE,EDGE,..., ID:COUNT (equal "
           "width), ID:qCOUNT (quantiles) or ID:@INDEX, such as density:0,0.1,0.2 or density:q4; "
           "several separated by ';'"),
@@ -67,6 +67,13 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
     verb.add_option("--values", a.request.values, "Its values, one per file, comma-separated");
   }
   if (id == "table") {
+    verb.add_option_function<std::string>(
+            "--methods-as",
+            [&a](const std::string& text) { a.methods_as_columns = text == "columns"; },
+            "What a method is: a table of its own with the metrics as columns (tables), or a "
+            "column of a table for each metric (columns)")
+        ->check(CLI::IsMember({"tables", "columns"}))
+        ->default_str("tables");
     a.jobs = default_jobs();
     add_jobs_option(verb, a.jobs,
                     "Threads that read the shards of a folder (default: the cores, at most 8); "
@@ -79,9 +86,10 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
         "--despite-settings", a.request.despite_settings,
         "Compare campaigns that differ in settings of robot, sensors, simulation, people, "
         "limits, references or metrics");
+    // Flags of before the output told the format.
     CLI::Option* latex = verb.add_flag("--latex", a.latex, "Print the tables as LaTeX");
-    verb.add_flag("--html", a.html, "Print one HTML page, to be read or printed on A4 paper")
-        ->excludes(latex);
+    verb.add_flag("--html", a.html, "Print one HTML page")->excludes(latex)->group("");
+    latex->group("");
   }
 }
 
@@ -98,7 +106,10 @@ void add_interpreter_options(CLI::App& verb, InterpretArguments& arguments,
                   "Print CSV; with a CSV file: read it instead of results")
       ->expected(0, 1);
   verb.add_flag("--json", arguments.json, "Print JSON, including run ids");
-  verb.add_option("-o,--output", arguments.output, "File to write instead of standard output");
+  verb.add_option("-o,--output", arguments.output,
+                  "File to write instead of standard output, in the format of its name: .csv, "
+                  ".json, .tex (for \\input), .md, .html (to be read or printed on A4 paper), else "
+                  "text");
 }
 
 }  // namespace slalom

@@ -19,7 +19,8 @@ struct InterpretArguments {
   std::string csv_file;    ///< of --csv
   CsvColumnOptions table;  ///< of CSV files
   std::string output;
-  bool csv = false, json = false, latex = false, html = false;
+  bool csv = false, json = false, latex = false, html = false, markdown = false;
+  bool methods_as_columns = false;
   int jobs = 1;  ///< threads that read shards
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
 #include "program_run.h"
 
 #include <slalom/core/available_cores.h>
+#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -51,6 +53,15 @@ TEST_F(Evaluate, TheDemoNeedsNoFileOfTheReader) {
   // Two buildings with five pairs of start and goal each, 60 random scenarios, four methods.
   const std::string runs = run("slalom-analyze dump slalom-demo/runs.results").out;
   EXPECT_EQ(std::count(runs.begin(), runs.end(), '\n'), (2 * 5 + 60) * 4);
+  // The first table of README.
+  ASSERT_EQ(run("slalom-analyze table slalom-demo/runs.results --by detour_ratio:1,1.01,1.03,4 "
+                "--columns success -o success.md")
+                .status,
+            0);
+  const std::string table = read("success.md"), begin = "| --- |";
+  const std::string readme = read_text(kSourceFolder + std::string("/README.md"), "README");
+  const std::string rows = table.substr(table.find(begin));
+  EXPECT_EQ(readme.substr(readme.find(begin), rows.size()), rows);
   expect_failure("slalom-evaluate small.ini --demo", 2,
                  {"--demo: 'small.ini' is another campaign; expected one"});
 }

@@ -60,6 +60,24 @@ TEST_F(Export, LatexCompiles) {
   EXPECT_GT(read("tables.pdf").size(), 1000u);
 }
 
+TEST_F(Export, TablesOfAllVerbsAreInputOfADocumentOfLatex) {
+  std::string document =
+      "\\documentclass{article}\\IfFileExists{booktabs.sty}{\\usepackage{booktabs}}{"
+      "\\let\\toprule\\hline\\let\\midrule\\hline\\let\\bottomrule\\hline}"
+      "\\begin{document}\n";
+  for (const std::string verb : {"summary", "table --by density:2", "failures", "completion"}) {
+    const std::string file = verb.substr(0, verb.find(' ')) + ".tex";
+    ASSERT_EQ(run("slalom-analyze " + verb + " runs.results -o " + file).status, 0) << verb;
+    document += "\\input{" + file + "}\n";
+  }
+  write("paper.tex", document + "\\end{document}\n");
+  EXPECT_EQ(read("summary.tex").find("\\begin{table}"), 0U);
+  EXPECT_NE(read("table.tex").find("\\label{tab:success-by-density}"), std::string::npos);
+  if (!has_program("pdflatex")) GTEST_SKIP() << "needs the package texlive-latex-base";
+  const ProgramResult result = run("pdflatex -interaction=nonstopmode -halt-on-error paper.tex");
+  EXPECT_EQ(result.status, 0) << result.out;
+}
+
 TEST_F(Export, WorkbookHasASheetPerTable) {
   ASSERT_EQ(run("slalom-analyze export runs.results -o runs.xlsx").status, 0);
   const ProgramResult result = run("unzip -p runs.xlsx xl/workbook.xml");

@@ -75,7 +75,7 @@ std::string render_latex(const Statement& statement) {
       for (const std::string& cell : row) rows.back().push_back(latex_text(cell));
     }
     const std::string& caption = table->caption.empty() ? statement.title : table->caption;
-    parts.push_back(latex_tabular(latex_text(caption), header, rows));
+    parts.push_back(latex_tabular(latex_text(caption), caption, header, rows));
   }
   return latex_document({join(parts, "\n")});
 }

@@ -8,6 +8,11 @@
 #include <slalom/core/text.h>
 #include <slalom/core/version.h>
 
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
 namespace slalom {
 namespace {
 
@@ -83,7 +88,77 @@ std::string latex_table(const DataTable& table) {
   }
   std::vector<std::string> header;
   for (const std::string& name : view.header) header.push_back(latex_text(name));
-  return latex_tabular(latex_text(table.title) + ".", header, rows);
+  return latex_tabular(latex_text(table.title) + ".", table.name, header, rows);
+}
+
+std::string markdown_line(const std::vector<std::string>& fields) {
+  std::string line = "|";
+  for (const std::string& field : fields) {
+    line += " ";
+    for (const char c : field) line += (c == '|' ? "\\" : "") + std::string(1, c);
+    line += " |";
+  }
+  return line + "\n";
+}
+
+std::string markdown_table(const DataTable& table) {
+  const ViewFields view = view_fields(table);
+  std::string text = "**" + printable_line(table.title) + "**\n\n" + markdown_line(view.header) +
+                     markdown_line(std::vector<std::string>(view.header.size(), "---"));
+  for (const auto& row : view.rows) text += markdown_line(row);
+  return text;
+}
+
+/// The cells of a metric in a row of the same bin of each method; none where it has no such bin.
+std::vector<const Cell*> cells_of(const std::vector<const CrossTable*>& methods, std::size_t row,
+                                  std::size_t column) {
+  std::vector<const Cell*> cells;
+  for (const CrossTable* method : methods) cells.push_back(&method->rows[row].cells[column]);
+  return cells;
+}
+
+/// "0.95 [0.94, 0.96]", with the number of values if some are missing.
+std::string display_text(const Cell& cell, int digits) {
+  const std::string interval = interval_text(cell, digits);
+  return estimate_text(cell, digits) + (interval.empty() ? "" : " " + interval) +
+         (cell.available < cell.n ? " " + values_text(cell) : "");
+}
+
+/// The values of one metric, exact or for display.
+DataTable by_method(const std::shared_ptr<std::vector<CrossTable>>& tables,
+                    const std::vector<const CrossTable*>& methods, std::size_t column,
+                    bool display) {
+  const CrossTable& first = *methods[0];
+  const Column& metric = first.columns[column];
+  DataTable table{metric.info.id + "_by_" + first.descriptor.id,
+                  metric.info.id + " by " + first.descriptor.id + ", " +
+                      percent_text(first.confidence) + " % intervals",
+                  {first.descriptor.id, "runs"},
+                  first.rows.size(),
+                  {}};
+  for (const CrossTable* method : methods) {
+    table.columns.push_back(method->method);
+    if (display) continue;
+    table.columns.push_back(method->method + ".low");
+    table.columns.push_back(method->method + ".high");
+  }
+  const std::size_t parts = display ? 1 : 3;
+  table.at = [tables, methods, column, display, parts, metric](std::size_t row,
+                                                               std::size_t i) -> Field {
+    const CrossRow& line = methods[0]->rows[row];
+    if (i == 0) return line.bin.label();
+    if (i == 1) return static_cast<std::int64_t>(line.n);
+    const auto cells = cells_of(methods, row, column);
+    const Cell& cell = *cells[(i - 2) / parts];
+    if (display) return display_text(cell, digits_for(cells, metric));
+    const std::optional<Interval>& interval = stated_interval(cell);
+    const std::size_t part = (i - 2) % parts;
+    const std::optional<double>& value = cell.median_interval ? cell.median : cell.estimate;
+    if (part == 0) return value ? Field{*value} : Field{};
+    if (!interval) return Field{};
+    return part == 1 ? interval->low : interval->high;
+  };
+  return table;
 }
 
 }  // namespace
@@ -94,7 +169,37 @@ std::string render_latex(const Interpretation& interpretation) {
     if (table.rows > 0) tables.push_back(latex_table(table));
   if (!interpretation.footnote.empty() && !tables.empty())
     tables.back() += latex_text(interpretation.footnote) + ".\n";
-  return latex_document(tables);
+  return join(tables, "\n");
+}
+
+std::string render_markdown(const Interpretation& interpretation) {
+  std::vector<std::string> tables;
+  for (const DataTable& table : views_of(interpretation))
+    if (table.rows > 0) tables.push_back(markdown_table(table));
+  if (!interpretation.footnote.empty()) tables.push_back(interpretation.footnote + ".\n");
+  return join(tables, "\n");
+}
+
+void put_methods_in_columns(Interpretation& interpretation) {
+  if (!interpretation.cross_tables) return;
+  const auto tables =
+      std::make_shared<std::vector<CrossTable>>(std::move(*interpretation.cross_tables));
+  interpretation.cross_tables = std::nullopt;
+  interpretation.summary = std::nullopt;
+  // The tables of the same bins: those of a method come in the order of the rows.
+  std::map<std::string, std::size_t> known;
+  std::vector<std::vector<const CrossTable*>> groups;
+  for (const CrossTable& table : *tables) {
+    const std::size_t index = known[table.method]++;
+    groups.resize(std::max(groups.size(), index + 1));
+    groups[index].push_back(&table);
+  }
+  for (const auto& methods : groups) {
+    for (std::size_t column = 0; column < methods[0]->columns.size(); ++column) {
+      interpretation.tables.push_back(by_method(tables, methods, column, false));
+      interpretation.views.push_back(by_method(tables, methods, column, true));
+    }
+  }
 }
 
 std::string render_html(const Interpretation& interpretation, const std::string& title,

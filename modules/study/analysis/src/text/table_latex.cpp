@@ -3,6 +3,8 @@
 #include <slalom/analysis/table_latex.h>
 #include <slalom/core/text.h>
 
+#include <cctype>
+
 namespace slalom {
 namespace {
 
@@ -36,15 +38,23 @@ std::string latex_footnote(const std::string& footnote) {
   return footnote.empty() ? "" : " " + latex_text(footnote) + ".";
 }
 
+std::string label_of(std::string name) {
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  return name;
+}
+
 std::string latex_confidence_text(double confidence) {
   return percent_text(confidence) + "\\,\\% intervals in brackets";
 }
 
 }  // namespace
 
-std::string latex_tabular(const std::string& caption, const std::vector<std::string>& header,
+std::string latex_tabular(const std::string& caption, const std::string& name,
+                          const std::vector<std::string>& header,
                           const std::vector<std::vector<std::string>>& rows) {
-  std::string text = "\\begin{table}\n\\centering\n\\caption{" + caption + "}\n\\begin{tabular}{l" +
+  std::string text = "\\begin{table}\n\\centering\n\\caption{" + caption +
+                     "}\n\\label{tab:" + label_of(name) + "}\n\\begin{tabular}{l" +
                      std::string(header.size() - 1, 'r') + "}\n\\toprule\n" + line_of(header) +
                      "\\midrule\n";
   for (const auto& row : rows) text += line_of(row);
@@ -64,7 +74,7 @@ std::string render_latex(const SummaryTable& table) {
   }
   return latex_tabular("All scenarios; " + latex_confidence_text(table.confidence) + "." +
                            latex_footnote(table.footnote),
-                       headers({"method", "runs"}, table.columns), rows);
+                       "summary", headers({"method", "runs"}, table.columns), rows);
 }
 
 std::string render_latex(const CrossTable& table) {
@@ -77,6 +87,7 @@ std::string render_latex(const CrossTable& table) {
   }
   return latex_tabular(latex_text(table.title) + "; " + latex_confidence_text(table.confidence) +
                            "." + latex_footnote(table.footnote),
+                       table.title,
                        headers({latex_text(table.descriptor.id), "runs"}, table.columns), rows);
 }
 

@@ -94,6 +94,41 @@ TEST(Interpreter, CrossTablesKeepTheirOwnFormats) {
             render_cross_table_text(tables[1]) + "\n\n" + render_cross_table_text(tables[3]));
 }
 
+TEST(Interpreter, MethodsInColumnsHaveTheCellsOfTheirTables) {
+  const std::vector<ResultTable> results = {six().table};
+  const AnalysisQuery asked = query("density:2;density:0,0.2,1;all", {"success", "optimality"});
+  const auto tables =
+      build_cross_tables(results[0], asked.rows, asked.metrics, asked.comparison.analysis);
+  Interpretation found = named("table").interpret(results, asked);
+  put_methods_in_columns(found);
+  ASSERT_EQ(found.tables.size(), 3U * 2) << "bins by metrics";
+  for (std::size_t i = 0; i < found.tables.size(); ++i) {
+    const DataTable &exact = found.tables[i], &shown = found.views[i];
+    ASSERT_EQ(exact.columns.size(), 2U + 2 * 3) << "two methods with their intervals";
+    for (std::size_t method = 0; method < 2; ++method) {
+      const CrossTable& table = tables[i / 2 * 2 + method];
+      EXPECT_EQ(shown.columns[2 + method], table.method);
+      ASSERT_EQ(exact.rows, table.rows.size());
+      for (std::size_t row = 0; row < exact.rows; ++row) {
+        const Cell& cell = table.rows[row].cells[i % 2];
+        EXPECT_EQ(exact.at(row, 0), Field{table.rows[row].bin.label()});
+        EXPECT_EQ(exact.at(row, 2 + 3 * method), cell.estimate ? Field{*cell.estimate} : Field{});
+        EXPECT_EQ(exact.at(row, 3 + 3 * method),
+                  cell.interval ? Field{cell.interval->low} : Field{});
+        const std::string text = std::get<std::string>(shown.at(row, 2 + method));
+        EXPECT_EQ(text.find(estimate_text(cell, 2).substr(0, 3)), 0U) << text;
+        EXPECT_EQ(text.find("n = ") != std::string::npos, cell.available < cell.n) << text;
+      }
+    }
+  }
+  const std::string markdown = render_markdown(found);
+  EXPECT_NE(markdown.find("**success by all, 95 % intervals**\n\n| all | runs | a | b |\n"
+                          "| --- | --- | --- | --- |\n| all | 6 | "),
+            std::string::npos)
+      << markdown;
+  EXPECT_NE(render_latex(found).find("\\label{tab:success-by-all}"), std::string::npos);
+}
+
 TEST(Interpreter, MarksPrivilegedMethodsInAllFormats) {
   const std::string footnote = "* privileged: b is given the tracks of movers";
   for (const Interpreter& interpreter : all_interpreters()) {
@@ -112,9 +147,10 @@ TEST(Interpreter, MarksPrivilegedMethodsInAllFormats) {
       EXPECT_NE(text.find(footnote), std::string::npos) << interpreter.id << "\n" << text;
       EXPECT_EQ(text.find("a*"), std::string::npos) << interpreter.id;
     }
-    if (interpreter.id == "table") continue;  // has no such pages
-    for (const std::string& text :
-         {render_latex(marked), render_html(marked, "t"), render_json(marked)}) {
+    Interpretation documents = marked;
+    put_methods_in_columns(documents);
+    for (const std::string& text : {render_latex(documents), render_html(documents, "t"),
+                                    render_markdown(documents), render_json(documents)}) {
       EXPECT_NE(text.find("b*"), std::string::npos) << interpreter.id << "\n" << text;
       EXPECT_NE(text.find(footnote), std::string::npos) << interpreter.id << "\n" << text;
     }

@@ -71,9 +71,14 @@ std::string render_json(const Interpretation& interpretation);
 /// The tables as CSV, separated by empty lines; a footnote is a table of its own, the last one.
 std::string render_csv(const Interpretation& interpretation);
 
-/// The tables as a LaTeX document, as render_text() shows them, with the rules of booktabs if
-/// that package is there.
+/// The tables as LaTeX to \input, as render_text() shows them, with the rules of booktabs, each
+/// with a caption and a label.
 std::string render_latex(const Interpretation& interpretation);
+/// The tables as Markdown, as render_text() shows them.
+std::string render_markdown(const Interpretation& interpretation);
+/// Cross tables of several methods as tables of one metric each: a row per bin, a column per
+/// method.
+void put_methods_in_columns(Interpretation& interpretation);
 /// Address that a field of a table leads to, given the name of its column; empty for plain text.
 using FieldAddress =
     std::function<std::string(const std::string& column, const std::string& field)>;

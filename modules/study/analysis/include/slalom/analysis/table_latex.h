@@ -10,13 +10,15 @@
 namespace slalom {
 
 /// Tables for a paper: `tabular` environments inside `table`, each cell "0.95 [0.94, 0.96]", with
-/// the number of runs, missing values and the confidence in the caption. Their rules are those of
-/// the package booktabs; names of methods and metrics are escaped.
+/// the number of runs, missing values, the confidence in the caption, and a label. Their rules are
+/// those of the package booktabs; names of methods and metrics are escaped.
 std::string render_latex(const SummaryTable& table);
 std::string render_latex(const CrossTable& table);
 
-/// A table of LaTeX texts: the first column flush left, the others flush right.
-std::string latex_tabular(const std::string& caption, const std::vector<std::string>& header,
+/// A table of LaTeX texts: the first column flush left, the others flush right. Its label is
+/// "tab:NAME", with "-" for what is neither a letter nor a digit.
+std::string latex_tabular(const std::string& caption, const std::string& name,
+                          const std::vector<std::string>& header,
                           const std::vector<std::vector<std::string>>& rows);
 
 /// A standalone document with these tables; without booktabs their rules are plain lines.
