@@ -78,7 +78,7 @@ Movers present_at_start(const Scenario& scenario) {
 }  // namespace
 
 bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference& probe) const {
-  constexpr double kNear = 0.9, kFree = 0.03, kGoalFree = 0.1;  // m
+  constexpr double kNear = 0.9, kStartFree = 0.03, kGoalFree = 0.1;  // m
   const double radius = setup_.run.robot.shape().enclosing_radius();
   const TPoint2D at = sample_position(engine, world.scenario().bounds());
   const double heading = uniform_real(engine, -M_PI, M_PI);
@@ -87,7 +87,7 @@ bool StepProbe::draw(const World& world, RandomEngine& engine, CommandDifference
   probe.pose = {at.x, at.y, heading};
   probe.goal = at + TPoint2D(math::cos(bearing), math::sin(bearing)) * distance;
   const double clearance = world.distance_field().clearance(at);
-  return clearance >= radius + kFree && clearance <= kNear + radius &&
+  return clearance >= radius + kStartFree && clearance <= kNear + radius &&
          world.scenario().bounds().contains(probe.goal) &&
          world.distance_field().clearance(probe.goal) > radius + kGoalFree;
 }

@@ -18,10 +18,10 @@ std::optional<Command> turn_at_goal(const NavigationTask& task, const Observatio
   if (!task.goal_heading || math::hypot(goal.x, goal.y) > task.goal_tolerance) return std::nullopt;
   const double error = std::remainder(*task.goal_heading - observation.odometry.phi, 2 * M_PI);
   // The angular velocity from which the robot can stop within the error, with a reserve.
-  constexpr double kBrakingFraction = 0.7;
+  constexpr double kBrakingShare = 0.7;
   const double limit =
       std::min({robot.max_w, std::abs(error) / task.control_period,
-                std::sqrt(2 * kBrakingFraction * robot.max_accel_w * std::abs(error))});
+                std::sqrt(2 * kBrakingShare * robot.max_accel_w * std::abs(error))});
   return Command{0, std::copysign(limit, error), 0};
 }
 

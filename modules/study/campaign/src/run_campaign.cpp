@@ -227,14 +227,14 @@ std::size_t CampaignSummary::infrastructure_errors() const {
 }
 
 PrivilegedMethods check_methods(const Campaign& campaign) {
-  constexpr char kMade = '\0';  // begins an answer that is no message
+  constexpr char kWasMade = '\0';  // begins an answer that is no message
   const std::vector<NamedMethod>& methods = campaign.methods;
   PrivilegedMethods privileged;
   const WorkItem item = [&](std::size_t i, SharedTaskLog&) -> std::string {
     try {
       const auto made = methods[i].make(campaign.options.robot, campaign.options.sensor);
       made->check();
-      return {kMade, made->uses_tracks() ? '1' : '0', made->uses_map() ? '1' : '0'};
+      return {kWasMade, made->uses_tracks() ? '1' : '0', made->uses_map() ? '1' : '0'};
     } catch (const std::exception& e) {
       return reason_of(e);
     }
@@ -245,7 +245,7 @@ PrivilegedMethods check_methods(const Campaign& campaign) {
       throw usage_error(methods[i].where,
                         "the method could not be built: " + result.detail + printed);
     const std::string& answer = result.payload;
-    const bool made = answer.size() == 3 && answer[0] == kMade;
+    const bool made = answer.size() == 3 && answer[0] == kWasMade;
     if (!made) throw Error(ErrorKind::Usage, answer + printed);  // a complete message
     privileged.add(methods[i].name, answer[1] == '1', answer[2] == '1');
   };

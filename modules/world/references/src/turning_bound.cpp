@@ -159,9 +159,9 @@ double obstacle_free_bound(const PlanningProblem& problem, double min_turning_ra
   const Car car{problem.start_heading, min_turning_radius, reversible};
   const TPoint2D to_goal = problem.goal - problem.start;
   double bound = distance_between(problem.goal, problem.start);
-  constexpr int kDirections = 3600;  // each gives a bound
-  for (int i = 0; i < kDirections; ++i) {
-    const double direction = 2 * M_PI * i / kDirections;
+  constexpr int kBearings = 3600;  // each gives a bound
+  for (int i = 0; i < kBearings; ++i) {
+    const double direction = 2 * M_PI * i / kBearings;
     const double progress = to_goal.x * math::cos(direction) + to_goal.y * math::sin(direction);
     const double turn = car.turn_to(direction);
     // A path that proceeds as far has turned completely: it is longer than the turn.

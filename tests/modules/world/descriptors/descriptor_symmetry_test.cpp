@@ -179,8 +179,8 @@ TEST(DescriptorSymmetry, ShapesAndGridsOfTheSameCellsAgree) {
   for (const double cell : {0.025, 0.05, 0.1})
     for (const Sample& sample : samples()) {
       const Scenario shapes = placed(sample.scenario, moved_by(0, 0), cell);
-      expect_equal({shapes, all_values(shapes, cell)},
-                   convert(shapes, Representation::Grid, {cell}), &Tolerance::moved);
+      expect_equal({shapes, all_values(shapes, cell)}, convert(shapes, Representation::Grid, cell),
+                   &Tolerance::moved);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "robustness.h"
 
 #include <slalom/analysis/campaign_settings.h>
+#include <slalom/analysis/cell_text.h>
 #include <slalom/analysis/completion.h>
 #include <slalom/analysis/csv_columns.h>
 #include <slalom/analysis/descriptor_map.h>

@@ -219,7 +219,7 @@ TEST(Traversability, OfHugeCellsTakesFourPointsEach) {
 TEST(Traversability, CountsPointsOfWorkspacesWithCellsRoundedDown) {
   // Ten cells of 0.7 m are 6.9999999 m in single precision: seven points along each side.
   const Scenario room = Scenario::continuous("room", {0, 0, 7, 7}, {}, {1, 1, 0}, {2, 2});
-  const World grid(convert(room, Representation::Grid, {0.7}), 1);
+  const World grid(convert(room, Representation::Grid, 0.7), 1);
   EXPECT_NEAR(value_of("traversability", context_of(grid)),
               value_of("traversability", context_of(World(room, 0.7))), 1e-6);
 }

@@ -107,7 +107,7 @@ TEST(DiscPath, PassesBetweenWallsExactlyAsFarApartAsTheDiameter) {
   Occupancy cells = empty_cells(10, 8);
   occupy(cells, 0, 2, 7, 8);
   const double r = 1 - kContact / kCellSize;
-  const TPoint2D start(1.5, 1), goal(8.5, 4), corner(7, 2);
+  const TPoint2D start(1.5, 1), goal(8.5, 4);
   const double from = std::hypot(5.5, 1), to = std::hypot(1.5, 2);  // distances from the corner
   const double arriving = std::atan2(1, 5.5) - std::asin(r / from);
   const double leaving = std::atan2(2, 1.5) + std::asin(r / to);
