@@ -24,7 +24,7 @@ max_size = 0.2
 [metrics]
 descriptors = density
 [limits]
-run_wall_time = 5
+run_wall_time = 300
 memory_mb = 500
 [method.faulty]
 adapter = library
