@@ -86,7 +86,7 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
         "--despite-settings", a.request.despite_settings,
         "Compare campaigns that differ in settings of robot, sensors, simulation, people, "
         "limits, references or metrics");
-    // Flags of before the output told the format.
+    // Hidden: the name of the output says the same; scripts use them.
     CLI::Option* latex = verb.add_flag("--latex", a.latex, "Print the tables as LaTeX");
     verb.add_flag("--html", a.html, "Print one HTML page")->excludes(latex)->group("");
     latex->group("");

@@ -87,10 +87,10 @@ void add_falsify_options(CLI::App& app, FalsifyArguments& arguments) {
   app.add_flag("--quiet", arguments.campaign.quiet, "No progress and no messages, except errors");
 }
 
-void require_named_witnesses(FalsifyArguments& arguments) {
+void excuse_unnamed_witnesses(FalsifyArguments& arguments) {
   NeedsWitness& witness = arguments.fairness.witness;
-  if (!arguments.witnesses.empty() && witness == NeedsWitness::NotForOwn)
-    witness = NeedsWitness::Always;
+  if (arguments.witnesses.empty() && witness == NeedsWitness::Always)
+    witness = NeedsWitness::NotForOwn;
 }
 
 FalsifyCampaign read_falsify_campaign(IniFile ini, const FalsifyArguments& arguments) {

@@ -111,7 +111,7 @@ void search_verb(SearchArguments& arguments) {
   SearchOptions& options = arguments.search;
   IniFile ini = load_campaign_ini(common.campaign);
   if (!arguments.against.empty()) common.witnesses = {add_reference(ini, arguments)};
-  require_named_witnesses(common);
+  excuse_unnamed_witnesses(common);
   refuse_output_over_inputs(common.output, ini);
   const FalsifyCampaign campaign = read_falsify_campaign(ini, common);
   const bool needs_other =
@@ -172,8 +172,8 @@ void define_search(CLI::App& app) {
   CampaignArguments& campaign = arguments.common.campaign;
   CLI::App* verb = app.add_subcommand(
       "search",
-      "Search scenarios in which the method fails and a witness reaches the goal; the "
-      "same command continues a search that was interrupted");
+      "Search scenarios in which the method collides, or fails where a witness reaches the goal; "
+      "the same command continues a search that was interrupted");
   add_argument(*verb, {"campaign", "-c,--config", "The campaign's .ini"}, campaign.config);
   complete_with(verb->add_option("--method", arguments.common.method, "The method that is tested")
                     ->required(),

@@ -87,7 +87,7 @@ ShrinkInput read_input(ShrinkArguments& arguments) {
 void shrink_verb(ShrinkArguments& arguments) {
   const ShrinkInput input = read_input(arguments);
   FalsifyArguments& common = arguments.common;
-  require_named_witnesses(common);
+  excuse_unnamed_witnesses(common);
   if (common.campaign.config.empty() && !arguments.trust)
     require_no_foreign_code(input.ini, {}, arguments.input);
   refuse_output_over_inputs(common.output, input.ini);

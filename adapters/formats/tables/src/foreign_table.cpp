@@ -110,12 +110,6 @@ std::optional<ForeignTable> read_ompl_database(const std::string& path) {
 
 }  // namespace
 
-std::string csv_line(const std::vector<std::string>& fields) {
-  std::vector<std::string> quoted;
-  for (const std::string& field : fields) quoted.push_back(csv_field(field));
-  return join(quoted, ",") + "\n";
-}
-
 std::optional<ForeignTable> read_foreign_table(const std::string& path, const std::string& sheet) {
   if (is_database(path)) return read_ompl_database(path);
   const auto format = recognize_file(path);

@@ -43,7 +43,4 @@ std::optional<ForeignTable> table_from_json(const std::string& text, const std::
 /// The sheet of a workbook, a line per row.
 ForeignTable table_from_workbook(const std::string& path, const std::string& sheet);
 
-/// A line of CSV.
-std::string csv_line(const std::vector<std::string>& fields);
-
 }  // namespace slalom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "foreign_table.h"
 
+#include <slalom/analysis/table_export.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 

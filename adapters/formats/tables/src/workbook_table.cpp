@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "foreign_table.h"
 
+#include <slalom/analysis/table_export.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/xml/xml_file.h>
@@ -23,7 +24,7 @@ constexpr std::size_t kMaxColumns = 16384, kMaxRows = 1048576;  // those of Exce
 class Package {
  public:
   explicit Package(const std::string& path) : path_(path), zip_(unzOpen64(path.c_str())) {
-    if (zip_ == nullptr) throw file_error(path, "is no zip archive or is damaged", kExpected);
+    if (zip_ == nullptr) throw file_error(path, "is not a zip archive or is damaged", kExpected);
   }
   ~Package() { unzClose(zip_); }
   Package(const Package&) = delete;

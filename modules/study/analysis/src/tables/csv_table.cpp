@@ -82,14 +82,14 @@ char separator_of(const std::string& text, std::size_t columns) {
   return most == 1 && has_columns_of_words(text) ? kBlanks : best;
 }
 
-/// The text from its first line that is not empty on, without the mark of a comment before it.
+/// The text from the header line on, without empty lines and the mark of a comment before it.
 std::string from_header(const std::string& text) {
   std::size_t begin = text.find_first_not_of("\r\n");
   if (begin < text.size() && text[begin] == '#') begin = text.find_first_not_of("# \t", begin);
   return text.substr(std::min(begin, text.size()));
 }
 
-/// The number of the line that ends of a text begin with, from 1.
+/// The number, from 1, of the line in which the last `size` bytes of a text begin.
 std::size_t line_of(const std::string& text, std::size_t size) {
   const auto end = text.end() - static_cast<std::ptrdiff_t>(size);
   return static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;

@@ -109,12 +109,23 @@ std::string markdown_table(const DataTable& table) {
   return text;
 }
 
-/// The cells of a metric in a row of the same bin of each method; none where it has no such bin.
+/// The cells of a metric in a row, one of each method: their tables have the same bins.
 std::vector<const Cell*> cells_of(const std::vector<const CrossTable*>& methods, std::size_t row,
                                   std::size_t column) {
   std::vector<const Cell*> cells;
   for (const CrossTable* method : methods) cells.push_back(&method->rows[row].cells[column]);
   return cells;
+}
+
+/// The runs of a method in a row; "5 to 10" if some have more than others.
+Field runs_of(const std::vector<const CrossTable*>& methods, std::size_t row) {
+  std::size_t least = methods[0]->rows[row].n, most = least;
+  for (const CrossTable* method : methods) {
+    least = std::min(least, method->rows[row].n);
+    most = std::max(most, method->rows[row].n);
+  }
+  if (least == most) return static_cast<std::int64_t>(most);
+  return std::to_string(least) + " to " + std::to_string(most);
 }
 
 /// "0.95 [0.94, 0.96]", with the number of values if some are missing.
@@ -145,9 +156,8 @@ DataTable by_method(const std::shared_ptr<std::vector<CrossTable>>& tables,
   const std::size_t parts = display ? 1 : 3;
   table.at = [tables, methods, column, display, parts, metric](std::size_t row,
                                                                std::size_t i) -> Field {
-    const CrossRow& line = methods[0]->rows[row];
-    if (i == 0) return line.bin.label();
-    if (i == 1) return static_cast<std::int64_t>(line.n);
+    if (i == 0) return methods[0]->rows[row].bin.label();
+    if (i == 1) return runs_of(methods, row);
     const auto cells = cells_of(methods, row, column);
     const Cell& cell = *cells[(i - 2) / parts];
     if (display) return display_text(cell, digits_for(cells, metric));

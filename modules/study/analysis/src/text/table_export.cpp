@@ -22,26 +22,25 @@ std::string reasons_field(const Cell& cell) {
   return join(parts, "; ");
 }
 
-std::string csv_line(const CrossTable& table, const CrossRow& row, std::size_t column) {
+std::string cell_line(const CrossTable& table, const CrossRow& row, std::size_t column) {
   const Cell& cell = row.cells[column];
   const QuantityInfo& info = table.columns[column].info;
-  std::vector<std::string> fields = {table.method,
-                                     table.descriptor.id,
-                                     number_field(row.bin.low),
-                                     number_field(row.bin.high),
-                                     info.id,
-                                     std::to_string(info.version),
-                                     std::to_string(cell.n),
-                                     std::to_string(cell.available),
-                                     std::to_string(cell.n - cell.available),
-                                     number_field(cell.estimate),
-                                     number_field(cell.deviation),
-                                     cell.interval ? format_number(cell.interval->low) : "",
-                                     cell.interval ? format_number(cell.interval->high) : "",
-                                     format_number(table.confidence),
-                                     reasons_field(cell)};
-  for (std::string& field : fields) field = csv_field(field);
-  return join(fields, ",") + "\n";
+  const std::vector<std::string> fields = {table.method,
+                                           table.descriptor.id,
+                                           number_field(row.bin.low),
+                                           number_field(row.bin.high),
+                                           info.id,
+                                           std::to_string(info.version),
+                                           std::to_string(cell.n),
+                                           std::to_string(cell.available),
+                                           std::to_string(cell.n - cell.available),
+                                           number_field(cell.estimate),
+                                           number_field(cell.deviation),
+                                           cell.interval ? format_number(cell.interval->low) : "",
+                                           cell.interval ? format_number(cell.interval->high) : "",
+                                           format_number(table.confidence),
+                                           reasons_field(cell)};
+  return csv_line(fields);
 }
 
 Json field_json(const Cell& cell, const Column& column) {
@@ -82,6 +81,12 @@ bool is_formula(const std::string& text) {
          !parse_number(text, number);
 }
 
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::vector<std::string> quoted;
+  for (const std::string& field : fields) quoted.push_back(csv_field(field));
+  return join(quoted, ",") + "\n";
+}
+
 std::string csv_field(const std::string& text) {
   // Programs split at any of these, also within quotes that do not begin a field.
   constexpr const char* kSeparators = ",;\t\"\r\n";
@@ -108,7 +113,7 @@ std::string render_csv(const std::vector<CrossTable>& tables) {
   for (const CrossTable& table : tables) {
     for (const CrossRow& row : table.rows) {
       for (std::size_t column = 0; column < table.columns.size(); ++column) {
-        text += csv_line(table, row, column);
+        text += cell_line(table, row, column);
       }
     }
   }

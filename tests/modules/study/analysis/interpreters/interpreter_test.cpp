@@ -130,6 +130,17 @@ TEST(Interpreter, MethodsInColumnsHaveTheCellsOfTheirTables) {
   EXPECT_NE(render_latex(found).find("\\label{tab:success-by-all}"), std::string::npos);
 }
 
+TEST(Interpreter, MethodsInColumnsSayThatTheirNumbersOfRunsDiffer) {
+  ResultFixture fixture;
+  const std::string hash = fixture.add_scenario(Value::of(0.05));
+  fixture.add_run(hash, "a", 0.5);
+  fixture.add_run(hash, "a", 0.5, 1);
+  fixture.add_run(hash, "b", 0.5);
+  Interpretation found = named("table").interpret({fixture.table}, query("all", {"success"}));
+  put_methods_in_columns(found);
+  EXPECT_EQ(found.tables.at(0).at(0, 1), Field{std::string("1 to 2")});
+}
+
 TEST(Interpreter, MarksPrivilegedMethodsInAllFormats) {
   const std::string footnote = "* privileged: b is given the tracks of movers";
   for (const Interpreter& interpreter : all_interpreters()) {

@@ -29,7 +29,7 @@ struct FairnessOptions {
 };
 
 /// Whether a witness must reach the goal. With NotForOwn it need not where a method collides with
-/// what does not move, leaves the workspace, or fails as a program: whoever stands still does not.
+/// what does not move, leaves the workspace, or fails as a program: a robot that stands does not.
 bool needs_witness(const FairnessOptions& options, const Scenario& scenario, Outcome outcome);
 
 /// The geometric conditions, which need no run.

@@ -96,13 +96,13 @@ struct SearchResult {
   std::string stopped;    ///< why the search ended
 };
 
-/// Searches scenarios in which the method of the setup fails although a witness reaches the goal.
-/// Half of the runs are in scenarios drawn at random from a CandidateMix, half in changed ones
-/// (mutate()) of those in which the robot came closest to obstacles, in probed ones, or, if the
-/// setup has a surrogate, in those random ones in which that fails. Runs are in batches, each in a
-/// worker process; when the method crashes, that run is a failure, and the rest of the batch is
-/// executed in another process. Throws Error (Usage) if there is no budget, or nothing to compare
-/// single steps with.
+/// Searches scenarios in which the method of the setup fails although a witness reaches the goal,
+/// or by itself (needs_witness()). Half of the runs are in scenarios drawn at random from a
+/// CandidateMix, half in changed ones (mutate()) of those in which the robot came closest to
+/// obstacles, in probed ones, or, if the setup has a surrogate, in those random ones in which that
+/// fails. Runs are in batches, each in a worker process; when the method crashes, that run is a
+/// failure, and the rest of the batch is executed in another process. Throws Error (Usage) if there
+/// is no budget, or nothing to compare single steps with.
 SearchResult search(const FalsificationSetup& setup, const SearchOptions& options);
 
 }  // namespace slalom

@@ -24,4 +24,7 @@ bool is_formula(const std::string& text);
 /// A field of a CSV line, quoted if necessary. A formula is preceded by an apostrophe.
 std::string csv_field(const std::string& text);
 
+/// A line of CSV with these fields.
+std::string csv_line(const std::vector<std::string>& fields);
+
 }  // namespace slalom
