@@ -374,10 +374,10 @@ class MathAgainstMpfr : public testing::TestWithParam<Reference> {
   void SetUp() override {
     mpfr_set_emin(-1073);
     mpfr_set_emax(1024);
-    mpfr_inits2(53, x_, y_, result_, mpfr_ptr{nullptr});
+    mpfr_inits2(53, x_, y_, result_, static_cast<mpfr_ptr>(nullptr));
   }
   void TearDown() override {
-    mpfr_clears(x_, y_, result_, mpfr_ptr{nullptr});
+    mpfr_clears(x_, y_, result_, static_cast<mpfr_ptr>(nullptr));
     mpfr_free_cache();
   }
 
@@ -429,7 +429,7 @@ TEST(Math, ExponentialsAreRoundedCorrectlyInTheirWholeRange) {
   mpfr_set_emin(-1073);
   mpfr_set_emax(1024);
   mpfr_t x, y, result;
-  mpfr_inits2(53, x, y, result, mpfr_ptr{nullptr});
+  mpfr_inits2(53, x, y, result, static_cast<mpfr_ptr>(nullptr));
   const auto rounded = [&](int inexact) {
     inexact = mpfr_check_range(result, inexact, MPFR_RNDN);
     mpfr_subnormalize(result, inexact, MPFR_RNDN);
@@ -446,7 +446,7 @@ TEST(Math, ExponentialsAreRoundedCorrectlyInTheirWholeRange) {
     ASSERT_EQ(pow(base, exponent), rounded(mpfr_pow(result, x, y, MPFR_RNDN)))
         << std::hexfloat << base << " " << exponent;
   }
-  mpfr_clears(x, y, result, mpfr_ptr{nullptr});
+  mpfr_clears(x, y, result, static_cast<mpfr_ptr>(nullptr));
   mpfr_free_cache();
 }
 #else
