@@ -12,11 +12,12 @@
 #include <dlfcn.h>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 namespace slalom {
 namespace {
 
-thread_local std::string failure;
+thread_local std::string failure, reply;
 slalom_host host = {};
 
 /// An exception of the host in this thread.
@@ -43,6 +44,10 @@ void begin_call() {
     return true;
   }();
   static_cast<void>(methods_are_beside_this_library);
+}
+
+std::string take_reply() {
+  return std::exchange(reply, "");
 }
 
 std::string text_of(const char* text, const std::string& what) {
@@ -117,6 +122,10 @@ const char* slalom_version() {
 
 const char* slalom_error() {
   return slalom::failure.c_str();
+}
+
+void slalom_reply(const char* text) {
+  slalom::reply = text == nullptr ? "" : text;
 }
 
 void slalom_free(void* memory) {

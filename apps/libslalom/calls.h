@@ -38,6 +38,9 @@ Result guarded(Result failed, Action action) {
   return result;
 }
 
+/// Takes what a function of the host has given to slalom_reply() in this thread.
+std::string take_reply();
+
 /// The text, `what` in messages. Throws Error (Usage) for null.
 std::string text_of(const char* text, const std::string& what);
 

@@ -10,17 +10,10 @@
 
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace slalom {
 namespace {
-
-thread_local std::string reply;
-
-std::string take_reply() {
-  return std::exchange(reply, "");
-}
 
 class OwnMethod : public Method {
  public:
@@ -125,7 +118,3 @@ Methods read_methods(const nlohmann::json& given, const slalom_own_methods* own)
 }
 
 }  // namespace slalom
-
-void slalom_reply(const char* text) {
-  slalom::reply = text == nullptr ? "" : text;
-}

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "calls.h"
 #include "results.h"
+#include "scenarios.h"
 
 #include <slalom/analysis/analysis_request.h>
 #include <slalom/analysis/interpreter.h>
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
+#include <slalom/descriptors/descriptor.h>
 #include <slalom/evaluate.h>
 #include <slalom/io/merge_results.h>
+#include <slalom/io/own_columns.h>
 #include <slalom/io/read_results.h>
+#include <slalom/metrics/metric.h>
 #include <slalom/report/report.h>
 
 #include <algorithm>
@@ -106,14 +110,25 @@ double* numbers_of(const ResultTable& table, const std::string& id) {
   throw usage_error("'" + id + "'", "is not a column", "one of \"numbers\" or \"timing\"");
 }
 
+ResultFiles& files_of(const slalom_results& results) {
+  if (results.files == nullptr) results.files = std::make_unique<ResultFiles>(results.path);
+  return *results.files;
+}
+
+std::vector<Scenario> scenarios_of(const slalom_results& results) {
+  std::vector<Scenario> scenarios;
+  for (const std::string& hash : results.table.scenario_hashes)
+    scenarios.push_back(files_of(results).with_scenario(hash).at(0)->read_scenario(hash));
+  return scenarios;
+}
+
 Trajectory read_trajectory(const slalom_results& results, std::size_t run) {
   const ResultTable& table = results.table;
   if (run >= table.size())
     throw usage_error("run " + std::to_string(run), "is not in the results",
                       "less than " + std::to_string(table.size()));
-  if (results.files == nullptr) results.files = std::make_unique<ResultFiles>(results.path);
   const std::string& hash = table.scenario_hashes[table.scenario[run]];
-  for (const ResultFile* file : results.files->with_scenario(hash))
+  for (const ResultFile* file : files_of(results).with_scenario(hash))
     if (const auto record = file->read_run(hash, table.methods[table.method[run]],
                                            static_cast<int>(table.repetition[run])))
       return file->read_trajectory(*record);
@@ -142,6 +157,49 @@ void save(const std::string& path, const std::string& output) {
   MergedResults merged(output, files.at(0));
   for (const std::string& file : files) merged.add(file);
   merged.publish();
+}
+
+template <typename Enum>
+Enum named(const Json& column, const char* key) {
+  const std::string name = column.at(key);
+  if (const auto found = from_name<Enum>(name)) return *found;
+  throw usage_error(key, "unknown '" + name + "'", expected_name(name, names_of<Enum>()));
+}
+
+QuantityInfo info_of(const Json& column) {
+  const std::string id = column.at("id"), range = column.at("range");
+  const auto parsed = parse_range(range);
+  if (!parsed)
+    throw usage_error("range", "'" + range + "' is not valid", "LOW..HIGH, such as 0..1");
+  if (contains(metric_ids(), id) || contains(descriptor_ids(), id))
+    throw usage_error(id, "is a quantity of Slalom", "another name");
+  return {id,
+          column.at("version"),
+          id,
+          column.at("unit"),
+          named<Direction>(column, "better"),
+          named<QuantityKind>(column, "kind"),
+          *parsed};
+}
+
+OwnColumn own_column(const Json& column) {
+  OwnColumn own{ValueColumn(info_of(column)), column.at("of") == "scenarios", column.at("source")};
+  for (const Json& value : column.at("values"))
+    if (value.is_string())
+      own.values.add_na(value);
+    else
+      own.values.add_number(value);
+  return own;
+}
+
+/// Shards are merged first.
+ResultTable add_column(const slalom_results& results, const Json& column, const std::string& path) {
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(results.path, ignored);
+  if (is_folder) save(results.path, path);
+  write_with_column(ResultFile::open(is_folder ? path : results.path), results.table,
+                    own_column(column), path);
+  return read_table(path);
 }
 
 std::string summarize(const slalom_results& results) {
@@ -196,6 +254,20 @@ double* slalom_results_trajectory(const slalom_results* results, size_t run, siz
       for (const double number : sample.numbers()) *next++ = number;
     *samples = trajectory.samples.size();
     return numbers;
+  });
+}
+
+slalom_scenarios* slalom_results_scenarios(const slalom_results* results) {
+  return guarded<slalom_scenarios*>(
+      nullptr, [&] { return new slalom_scenarios{scenarios_of(valid(results))}; });
+}
+
+slalom_results* slalom_results_add(const slalom_results* results, const char* column,
+                                   const char* path) {
+  return guarded<slalom_results*>(nullptr, [&] {
+    const std::string file = text_of(path, "path");
+    return new slalom_results{add_column(valid(results), json_of(column, "column"), file), file,
+                              nullptr};
   });
 }
 

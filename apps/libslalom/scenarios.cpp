@@ -13,7 +13,9 @@
 #include <slalom/scenario/occupancy.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -84,33 +86,64 @@ std::string describe_scenario(const Scenario& scenario) {
       .dump();
 }
 
-std::vector<Scenario> generate_family(const std::string& family, int count, std::uint64_t seed,
-                                      int workers, const Json& settings, slalom_progress progress,
-                                      void* context) {
-  if (count < 1 || workers < 0)
+/// A family whose candidates a function of the host makes.
+class OwnFamily : public Generator {
+ public:
+  OwnFamily(std::string name, slalom_family make, void* context)
+      : name_(std::move(name)), make_(make), context_(context) {
+    if (make_ == nullptr) throw usage_error("family", "is a null pointer", "a function");
+  }
+
+  std::string name() const override { return name_; }
+  Scenario generate(const std::string& scenario_name, RandomEngine& engine) const override {
+    const std::uint64_t seed = engine();
+    const Entered entered;
+    const int failed = make_(context_, scenario_name.c_str(), seed);
+    const std::string reply = take_reply();
+    if (failed != 0) throw usage_error("family " + name_, reply);
+    return scenario_from_yaml(reply, "family " + name_);
+  }
+
+ private:
+  std::string name_;
+  slalom_family make_;
+  void* context_;
+};
+
+/// Arguments of the generation of a family.
+struct Generation {
+  int count;
+  std::uint64_t seed;
+  int workers;
+  slalom_progress progress;
+  void* context;
+};
+
+std::vector<Scenario> generate_family(
+    const Generation& asked, const Json& settings,
+    const std::function<std::shared_ptr<const Generator>(const IniFile& ini)>& make_family) {
+  if (asked.count < 1 || asked.workers < 0)
     throw usage_error("generate",
-                      std::to_string(count) + " scenarios by " + std::to_string(workers) +
-                          " threads cannot be made",
+                      std::to_string(asked.count) + " scenarios by " +
+                          std::to_string(asked.workers) + " threads cannot be made",
                       "at least 1 by 0 or more");
   const IniFile ini = to_ini(settings);
   Options options;
   read_run_options(ini, options);
-  options.workers = workers;
+  options.workers = asked.workers;
   const auto section = read_options<ScenariosSection>(ini, "scenarios");
   options.walkers = section.walkers;
   options.generated_people = section.people;
   options.goal_headings = section.goal_headings;
-  GeneratorContext generator_context;
-  generator_context.load_map = load_occupancy_grid;
   options.progress = [&](const std::string& phase, std::size_t done, std::size_t total) {
     const Entered entered;
-    if (is_interrupted() ||
-        (progress != nullptr && progress(context, phase.c_str(), done, total) != 0))
+    if (is_interrupted() || (asked.progress != nullptr &&
+                             asked.progress(asked.context, phase.c_str(), done, total) != 0))
       throw Error(ErrorKind::Job, "interrupted");
   };
-  const std::shared_ptr<const Generator> generator = make_generator(family, ini, generator_context);
+  const std::shared_ptr<const Generator> family = make_family(ini);
   const Unlocked unlocked;
-  return generate(generator, count, seed, options);
+  return generate(family, asked.count, asked.seed, options);
 }
 
 }  // namespace
@@ -139,8 +172,21 @@ slalom_scenarios* slalom_scenarios_generate(const char* family, int count, uint6
                                             int workers, const char* settings,
                                             slalom_progress progress, void* context) {
   return make_list([&] {
-    return generate_family(text_of(family, "family"), count, seed, workers,
-                           json_of(settings, "settings"), progress, context);
+    const std::string name = text_of(family, "family");
+    GeneratorContext maps;
+    maps.load_map = load_occupancy_grid;
+    return generate_family({count, seed, workers, progress, context}, json_of(settings, "settings"),
+                           [&](const IniFile& ini) { return make_generator(name, ini, maps); });
+  });
+}
+
+slalom_scenarios* slalom_scenarios_generate_own(const char* name, slalom_family family, int count,
+                                                uint64_t seed, int workers, const char* settings,
+                                                slalom_progress progress, void* context) {
+  return make_list([&] {
+    const auto own = std::make_shared<OwnFamily>(text_of(name, "name"), family, context);
+    return generate_family({count, seed, workers, progress, context}, json_of(settings, "settings"),
+                           [&](const IniFile&) { return own; });
   });
 }
 

@@ -132,6 +132,69 @@ TEST(CInterface, ResultsAreThoseOfTheSameRunsInAFile) {
   }
 }
 
+TEST(CInterface, AColumnOfTheProgramIsAddedToAFile) {
+  const Scenarios scenarios = generated(2);
+  const TemporaryFolder folder;
+  const std::string options = Json({{"output", folder / "a.results"}}).dump();
+  const Results made = evaluated(kGap, scenarios.get(), options);
+  ASSERT_NE(made, nullptr) << slalom_error();
+  const Scenarios theirs(slalom_results_scenarios(made.get()), slalom_scenarios_free);
+  EXPECT_EQ(taken(slalom_scenario_yaml(theirs.get(), 1)),
+            taken(slalom_scenario_yaml(scenarios.get(), 1)));
+  Json column = {{"id", "comfort"}, {"of", "runs"},    {"values", {0.5, "no one sat in it"}},
+                 {"version", 2},    {"unit", "-"},     {"better", "up"},
+                 {"kind", "ratio"}, {"range", "0..1"}, {"source", "comfort.c"}};
+  const auto add = [&] {
+    return Results(
+        slalom_results_add(made.get(), column.dump().c_str(), (folder / "b.results").c_str()),
+        slalom_results_free);
+  };
+  const Results added = add();
+  ASSERT_NE(added, nullptr) << slalom_error();
+  const Json described = Json::parse(taken(slalom_results_json(added.get())));
+  EXPECT_EQ(described["reasons"]["comfort"], Json({{"1", "no one sat in it"}}));
+  EXPECT_EQ(described["manifest"]["own_column.comfort"], "comfort.c");
+  column["values"] = {1};
+  EXPECT_EQ(add(), nullptr);
+  EXPECT_EQ(slalom_error(), std::string("comfort: has 1 value; expected 2, one per run"));
+  column.erase("range");
+  EXPECT_EQ(add(), nullptr);
+  EXPECT_NE(std::string(slalom_error()).find("range"), std::string::npos);
+}
+
+TEST(CInterface, AFamilyOfTheProgramMakesScenarios) {
+  const slalom_family field = [](void* context, const char* name, std::uint64_t seed) {
+    ++*static_cast<int*>(context);
+    const double x = 2 + static_cast<double>(seed % 1000) / 500;
+    slalom_reply(Json({{"name", name},
+                       {"representation", "continuous"},
+                       {"bounds", {0, 0, 6, 4}},
+                       {"start", {0.75, 2, 0}},
+                       {"goal", {5.25, 2}},
+                       {"discs", {{x, 2, 0.3}}},
+                       {"polygons", Json::array()}})
+                     .dump()
+                     .c_str());
+    return 0;
+  };
+  int calls = 0;
+  const auto generate = [&](slalom_family family) {
+    return Scenarios(slalom_scenarios_generate_own("field", family, 3, 1, 1, "{}", nullptr, &calls),
+                     slalom_scenarios_free);
+  };
+  const Scenarios made = generate(field);
+  ASSERT_EQ(slalom_scenarios_size(made.get()), 3U) << slalom_error();
+  EXPECT_GE(calls, 3);
+  EXPECT_EQ(Json::parse(taken(slalom_scenario_json(made.get(), 2)))["name"], "field_0002");
+  EXPECT_EQ(generate(nullptr), nullptr);
+  const auto refuses = [](void*, const char*, std::uint64_t) {
+    slalom_reply("no room");
+    return 1;
+  };
+  EXPECT_EQ(generate(refuses), nullptr);
+  EXPECT_EQ(slalom_error(), std::string("family field: no room"));
+}
+
 TEST(CInterface, MethodsOfTheProgramRunInWorkersAndInProcess) {
   const Scenarios scenarios = generated(2);
   const std::string methods = R"([{"name": "fails", "type": 3}, {"name": "says nothing", "type": 4},

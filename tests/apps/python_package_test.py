@@ -620,6 +620,79 @@ class FilesAndFigures(unittest.TestCase):
         self.assertEqual(self.results.reasons["density"], {})
 
 
+def drive_north(run):
+    return run.samples[-1].y - run.scenario.start[1]
+
+
+class OwnColumns(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = os.path.join(folder.name, "own.results")
+        self.results = slalom.evaluate({"direct": Direct, "fails": Fails}, small(), **QUICK)
+
+    def test_a_function_of_a_run_is_a_metric_in_files_and_tables(self):
+        before = {name: list(self.results[name]) for name in ("scenario", "method", "success")}
+        self.results.add_metric(drive_north, unit="m", better="down", low=-50, high=50)
+        self.results.save(self.file)
+        read = slalom.read_results(self.file, trajectories=True)
+        ends = [trajectory[-1, 2] for trajectory in read.trajectories]
+        starts = [scenario.start[1] for scenario in read.scenarios for _ in range(2)]
+        np.testing.assert_array_equal(read["drive_north"], np.array(ends) - starts)
+        self.assertEqual(before, {name: list(self.results[name]) for name in before})
+        self.assertIn("drive_north ↓ m", read.table("all", ["drive_north"]))
+        self.assertRegex(read.compare(metrics=["drive_north"]), "drive_north +direct +fails")
+        self.assertEqual(read.manifest["own_column.drive_north"], inspect.getsource(drive_north))
+
+    def test_a_function_of_a_scenario_is_a_descriptor_for_rows(self):
+        self.results.add_descriptor(lambda scenario: int(scenario.name[-1]), name="number", low=0)
+        self.assertEqual([run["number"] for run in self.results.runs()], [0, 0, 1, 1, 2, 2])
+        self.assertIn("[1, 2]", self.results.table("number:2", ["success"]))
+
+    def test_none_and_a_text_say_why_there_is_no_value(self):
+        self.results.add_metric(lambda run: "it fails" if run.method == "fails" else None, name="none")
+        self.assertEqual(self.results.reasons["none"][0], "no value")
+        self.assertEqual(self.results.reasons["none"][1], "it fails")
+        self.results.add_metric(lambda run: math.inf, name="infinite")
+        self.assertEqual(self.results.reasons["infinite"][0], "not a finite number")
+
+    def test_results_of_shards_are_merged_with_the_column(self):
+        folder = pathlib.Path(self.file).parent
+        (folder / "shards").mkdir()
+        (folder / "c.ini").write_text(
+            "[campaign]\nmethods = gap\n[scenarios]\ngenerator = random\ncount = 4\n"
+            "[method.gap]\nadapter = library\nplugin = libslalom_follow_the_gap.so\n"
+        )
+        for shard in ("1/2", "2/2"):
+            words = ["run", "-c", "c.ini", "--shard", shard, "-o", f"shards/{shard[0]}.results", "--quiet"]
+            subprocess.run([PROGRAMS / "slalom-simulate", *words], cwd=folder, check=True)
+        read = slalom.read_results(str(folder / "shards"))
+        read.add_metric(drive_north)
+        ends = [run.samples[-1].y - run.scenario.start[1] for run in read.runs()]
+        self.assertEqual(list(read["drive_north"]), ends)
+        self.assertEqual(len(ends), 4)
+        self.assertNotIn("drive_north", slalom.read_results(str(folder / "shards")))
+
+    def test_what_cannot_be_a_column_is_an_error(self):
+        one = lambda run: 1
+        for message, arguments in {
+            "'': cannot be the id of a column; expected at most 60 lower-case letters": {},
+            "success: is a quantity of Slalom; expected another name": {"name": "success"},
+            "x of .*direct/0: 1 is out of range; expected a number >= 2": {"name": "x", "low": 2},
+            r"range: '2.0..1.0' is not valid": {"name": "x", "low": 2, "high": 1},
+            "low and high: 'a' is not valid; expected a number": {"name": "x", "low": "a"},
+            "better: unknown 'larger'; expected one of up, down, none": {"name": "x", "better": "larger"},
+            "kind: unknown 'rates'; expected 'rate'": {"name": "x", "kind": "rates"},
+        }.items():
+            with self.subTest(message), self.assertRaisesRegex(slalom.Error, message):
+                self.results.add_metric(one, **arguments)
+        with self.assertRaisesRegex(slalom.Error, r"x of <slalom.Run \w+/direct/0, \w+>: \[\] is not valid"):
+            self.results.add_metric(lambda run: [], name="x")
+        with self.assertRaises(ZeroDivisionError):
+            self.results.add_metric(lambda run: 1 / 0, name="x")
+        self.assertNotIn("x", self.results)
+
+
 class Annotations(unittest.TestCase):
     def test_all_that_users_call_is_annotated(self):
         self.assertTrue(pathlib.Path(slalom.__file__).with_name("py.typed").exists())
@@ -738,6 +811,39 @@ class Scenarios(unittest.TestCase):
     def test_generation_is_repeatable(self):
         self.assertEqual(small(), small())
         self.assertEqual(len({scenario.hash for scenario in small()}), 3)
+
+    def test_a_function_is_a_family(self):
+        def gate(random, width=1.0):
+            y = random.uniform(1.5, 4.5)
+            walls = [[4.9, 0, 5.1, y - width / 2], [4.9, y + width / 2, 5.1, 6]]
+            corners = [[[a, b], [c, b], [c, d], [a, d]] for a, b, c, d in walls]
+            return {"bounds": [0, 0, 10, 6], "start": [1, 3, 0], "goal": [9, 3], "polygons": corners}
+
+        made = slalom.generate(gate, 4, seed=3, width=0.8)
+        self.assertEqual([scenario.name for scenario in made], [f"gate_000{i}" for i in range(4)])
+        self.assertEqual(len({scenario.hash for scenario in made}), 4)
+        self.assertEqual(made, slalom.generate(gate, 4, seed=3, width=0.8, workers=3))
+        self.assertNotEqual(made, slalom.generate(gate, 4, seed=4, width=0.8))
+        self.assertEqual(len(slalom.generate(gate, 1, walkers=2)[0].movers), 2)
+        with self.assertRaisesRegex(slalom.Error, "solvable"):  # a robot 0.5 m wide
+            slalom.generate(gate, 1, width=0.4)
+
+    def test_what_a_family_raises_ends_the_generation(self):
+        for raised in (ValueError, KeyboardInterrupt):
+            def fails(random):
+                raise raised("no more")
+
+            for workers in (1, 3):
+                with self.assertRaisesRegex(raised, "no more"):
+                    slalom.generate(fails, 2, workers=workers)
+        for message, given in {
+            "family family: None is not a dict": None,
+            "family family:1: missing key 'goal'": {"bounds": [0, 0, 9, 9], "start": [1, 1, 0]},
+        }.items():
+            with self.assertRaisesRegex(slalom.Error, message):
+                slalom.generate(lambda random: given, 1)
+        with self.assertRaisesRegex(slalom.Error, "family: 3 is not valid; expected the name of a generator, or a function"):
+            slalom.generate(3, 1)
 
     def test_progress_is_reported_from_all_threads(self):
         for workers in (1, 3):

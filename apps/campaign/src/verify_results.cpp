@@ -16,9 +16,11 @@
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/imported_table.h>
+#include <slalom/io/own_columns.h>
 #include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/methods/registry.h>
+#include <slalom/metrics/metric.h>
 #include <slalom/metrics/mover_metrics.h>
 #include <slalom/references/reference_codec.h>
 #include <slalom/results/recorded_ini.h>
@@ -37,13 +39,25 @@ struct DifferingRun {
   std::string difference;
 };
 
-/// Compares the results of a campaign with those in a file.
+/// The columns of a file that functions of its author have computed.
+std::vector<std::string> own_columns_of(const Manifest& manifest) {
+  const std::string prefix = kOwnColumnPrefix;
+  std::vector<std::string> ids;
+  for (const auto& [key, source] : manifest)
+    if (const std::string id = key.substr(std::min(key.size(), prefix.size()));
+        starts_with(key, prefix) && !contains(metric_ids(), id) && !contains(descriptor_ids(), id))
+      ids.push_back(id);
+  return ids;
+}
+
+/// Compares the results of a campaign with those in a file, without such columns.
 class ComparingSink : public CampaignSink {
  public:
   /// `first_repetition`: earlier ones are not compared.
   ComparingSink(const ResultFile& file, const CampaignOptions& options, int first_repetition)
       : file_(file),
         campaign_(file.read_manifest()["campaign"]),
+        own_columns_(own_columns_of(file.read_manifest())),
         options_(options),
         first_repetition_(first_repetition) {}
 
@@ -62,13 +76,17 @@ class ComparingSink : public CampaignSink {
   void add_run(const RunRecord& run, const RunTiming& timing,
                const PackedTrajectory& trajectory) override {
     if (run.repetition < first_repetition_) return;
-    const auto recorded = file_.read_run(run.scenario_hash, run.method, run.repetition);
+    auto recorded = file_.read_run(run.scenario_hash, run.method, run.repetition);
     if (!recorded) return;  // of an incomplete campaign
+    ScenarioRecord recorded_scenario = file_.read_record(run.scenario_hash);
+    for (const std::string& id : own_columns_) {
+      recorded->metrics.erase(id);
+      recorded_scenario.descriptors.erase(id);
+    }
     ++report.runs;
     VerifiedRuns& of_method = report.methods[run.method];
     ++of_method.runs;
-    const std::string before =
-        dump_line(campaign_, file_.read_record(run.scenario_hash), *recorded);
+    const std::string before = dump_line(campaign_, recorded_scenario, *recorded);
     const std::string now = dump_line(campaign_, record_[run.scenario_hash], run);
     if (before == now)
       ++of_method.identical;
@@ -115,6 +133,7 @@ class ComparingSink : public CampaignSink {
   static constexpr double kSlowdown = 10;
   const ResultFile& file_;
   std::string campaign_;
+  std::vector<std::string> own_columns_;
   const CampaignOptions& options_;
   int first_repetition_;
   std::map<std::string, ScenarioRecord> record_;
@@ -283,6 +302,10 @@ VerifyReport verify_results(const std::string& path, const CampaignArguments& ar
   ComparingSink sink(file, config.options, only ? only->repetition : 0);
   const Execution execution{campaign_workers(config, arguments), *progress, InterruptGuard::raised};
   sink.report.environment = std::move(environment);
+  for (const std::string& id : own_columns_of(manifest))
+    sink.report.unchecked.push_back(printable_line(
+        id + ": not verified, since the function that computes it is not executed (" +
+        kOwnColumnPrefix + id + " of the manifest)"));
   if (!only) compare_whole(file, config, ini, campaign, execution, sample, sink.report);
   const CampaignSummary summary = run_campaign(campaign, sink, execution);
   sink.report.complete = summary.complete && explain_differences(sink.differing, manifest, campaign,

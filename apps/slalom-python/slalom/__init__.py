@@ -13,6 +13,7 @@ A method is a class as described in docs/methods/methods.md. Lengths are in m, a
 from __future__ import annotations
 
 import atexit
+import collections
 import contextlib
 import ctypes
 import difflib
@@ -32,6 +33,7 @@ from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Seque
 
 from ._library import Call, Error, Handle, find_library, load, numpy, taken_array, to_json, to_settings, whole
 from ._methods import FUNCTIONS, described
+from ._own import candidates, column, name_of
 
 if sys.argv[:1] != ["-m"]:  # that is python -m slalom, which only looks for a program
     __version__ = load().slalom_version().decode()
@@ -41,6 +43,7 @@ __all__ = [
     "Error",
     "Figure",
     "Results",
+    "Run",
     "Scenario",
     "TRAJECTORY_COLUMNS",
     "UnknownColumn",
@@ -213,6 +216,38 @@ class Figure(str):
         return f"<slalom.Figure, {len(self)} characters of SVG>"
 
 
+_Sample = collections.namedtuple("_Sample", TRAJECTORY_COLUMNS)  # type: ignore[misc]
+
+
+class Run:
+    """A run of results, for a metric: `run["path_length"]` is its value in a column."""
+
+    def __init__(self, results: Results, row: int, scenario: Scenario) -> None:
+        self._results, self._row = results, row
+        self.scenario = scenario
+        self.method: str = results["method"][row]
+        self.repetition = int(results["repetition"][row])
+        self.outcome: str = results["outcome"][row]
+
+    @functools.cached_property
+    def trajectory(self) -> Any:
+        """Samples with TRAJECTORY_COLUMNS."""
+        kept = self._results.trajectories
+        return _trajectory(self._results._table, self._row) if kept is None else kept[self._row]
+
+    @property
+    def samples(self) -> List[Any]:
+        """The same as named tuples: `run.samples[-1].x`."""
+        width = len(TRAJECTORY_COLUMNS)
+        return [_Sample(*(self.trajectory[row, i] for i in range(width))) for row in range(len(self.trajectory))]
+
+    def __getitem__(self, name: str) -> Any:
+        return self._results[name][self._row]
+
+    def __repr__(self) -> str:
+        return f"<slalom.Run {self.scenario.hash[:8]}/{self.method}/{self.repetition}, {self.outcome}>"
+
+
 class Results(Columns):
     """The results by column, one value per run, in the order of scenario, method and repetition.
     As text it is a summary of the methods; notebooks show the first screen of the report.
@@ -255,6 +290,53 @@ class Results(Columns):
         page = html.escape(load().slalom_results_html(self._table))
         grow = "this.style.height = this.contentDocument.documentElement.scrollHeight + 'px'"
         return f'<iframe srcdoc="{page}" onload="{grow}" style="border: 0; width: 100%; height: 30em"></iframe>'
+
+    @functools.cached_property
+    def scenarios(self) -> List[Scenario]:
+        """Those of the runs, in the order in which they first occur."""
+        return _scenarios_of(load().slalom_results_scenarios(self._table))
+
+    def runs(self) -> Iterator[Run]:
+        """The runs in the order of the columns."""
+        by_hash = {scenario.hash: scenario for scenario in self.scenarios}
+        return (Run(self, row, by_hash[one]) for row, one in enumerate(self["scenario_hash"]))
+
+    def add_metric(
+        self,
+        function: Callable[[Run], Any],
+        *,
+        name: Optional[str] = None,
+        unit: str = "-",
+        better: Optional[str] = None,
+        kind: Optional[str] = None,
+        low: Optional[float] = None,
+        high: Optional[float] = None,
+        version: int = 1,
+    ) -> None:
+        """Adds what the function says of each run as a column, called as the function: a number, or
+        None or a text that says why there is none. `better` is "up" or "down", `kind` "rate" (0 or 1), "count", "amount",
+        "ratio" or "score" (0 in failures), `low` and `high` bound the possible values. The source of the function stands in the manifest. Raises Error."""
+        self._add(column("runs", function, self.runs(), name, unit, better, kind, low, high, version))
+
+    def add_descriptor(
+        self,
+        function: Callable[[Scenario], Any],
+        *,
+        name: Optional[str] = None,
+        unit: str = "-",
+        low: Optional[float] = None,
+        high: Optional[float] = None,
+        version: int = 1,
+    ) -> None:
+        """The same of each scenario, for the rows of tables."""
+        self._add(column("scenarios", function, self.scenarios, name, unit, None, None, low, high, version))
+
+    def _add(self, added: Dict[str, Any]) -> None:
+        path, kept = _new_path(), self.trajectories
+        table = Handle(load().slalom_results_add(self._table, to_json(added), os.fsencode(path)), "slalom_results_free")
+        weakref.finalize(table, _remove, path)
+        Results.__init__(self, table, path, False)
+        self.trajectories = kept
 
     def table(self, rows: str, columns: Sequence[str], confidence: float = 0.95) -> str:
         """Tables of metrics in bins of a descriptor, one per method, as text. `rows` is "all",
@@ -371,7 +453,7 @@ def read_results(path: str, *, trajectories: bool = False) -> Results:
 
 
 def generate(
-    family: str,
+    family: Union[str, Callable[..., Dict[str, Any]]],
     count: int,
     seed: int = 1,
     *,
@@ -386,7 +468,8 @@ def generate(
     """Generates distinct scenarios that are solvable for the robot.
 
     `family` is the name of a generator ("random", "maze", ...), `options` are the keys of its section
-    in an .ini; `robot` and `simulation` are dicts of the keys of theirs. `walkers` moving obstacles
+    in an .ini. Or it is a function of a random.Random and of the options, which returns a candidate: a dict with the keys
+    of a scenario in YAML, such as bounds, start, goal and discs. `robot` and `simulation` are dicts of the keys of theirs. `walkers` moving obstacles
     are added to each scenario. With `goal_headings` goals have random headings. `workers` is the number of threads; 0 is one per core.
     `progress` as of evaluate().
     """
@@ -394,12 +477,19 @@ def generate(
         "robot": robot,
         "simulation": simulation,
         "scenarios": {"walkers": walkers, "goal_headings": goal_headings},
-        "generator." + family: options,
     }
+    if isinstance(family, str):
+        sections["generator." + family] = options
+    elif not callable(family):
+        raise Error(f"family: {family!r} is not valid; expected the name of a generator, or a function")
     settings = to_json(to_settings(sections))
     numbers = whole("count", count, 1, 2**31 - 1), whole("seed", seed, 0, 2**63 - 1), whole("workers", workers, 0, 1000)
     with _drawn(progress) as report, Call(report) as call:
-        made = load().slalom_scenarios_generate(str(family).encode(), *numbers, settings, call.report, None)
+        if isinstance(family, str):
+            made = load().slalom_scenarios_generate(family.encode(), *numbers, settings, call.report, None)
+        else:
+            name, make = name_of(family, "family").encode(), candidates(family, options, call)
+            made = load().slalom_scenarios_generate_own(name, make, *numbers, settings, call.report, None)
     return _scenarios_of(made)
 
 
@@ -445,7 +535,7 @@ def evaluate(
         "people": people,
         **{f"laser.{name}": keys for name, keys in (lasers or {}).items()},
     }
-    path = os.path.join(_evaluation_folder(), f"evaluation-{next(_evaluations)}.results")
+    path = _new_path()
     global _evaluating
     _evaluating += 1
     if show_output and progress is True:
@@ -489,6 +579,10 @@ def _ids(name: str, given: Optional[Sequence[str]]) -> Optional[List[str]]:
 
 #: Numbers in the names of files, by which comparisons tell results from each other.
 _evaluations = itertools.count(1)
+
+
+def _new_path() -> str:
+    return os.path.join(_evaluation_folder(), f"evaluation-{next(_evaluations)}.results")
 
 
 @functools.lru_cache(maxsize=None)

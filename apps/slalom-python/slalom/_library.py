@@ -28,6 +28,10 @@ class Error(ValueError):
 PROGRESS = ctypes.PYFUNCTYPE(c_int, c_void_p, c_char_p, c_size_t, c_size_t)
 
 
+#: Called with a context, the name of a scenario and a seed.
+FAMILY = ctypes.PYFUNCTYPE(c_int, c_void_p, c_char_p, c_uint64)
+
+
 class _Host(ctypes.Structure):
     """Functions of this interpreter in the order of slalom_host."""
 
@@ -61,6 +65,10 @@ _FUNCTIONS = {
     "slalom_scenarios_read": ("new", (c_char_p,)),
     "slalom_scenarios_from_yaml": ("new", (c_char_p,)),
     "slalom_scenarios_generate": ("new", (c_char_p, c_int, c_uint64, c_int, c_char_p, PROGRESS, c_void_p)),
+    "slalom_scenarios_generate_own": (
+        "new",
+        (c_char_p, FAMILY, c_int, c_uint64, c_int, c_char_p, PROGRESS, c_void_p),
+    ),
     "slalom_scenarios_add": (c_int, (c_void_p, c_void_p, c_size_t)),
     "slalom_scenarios_size": (c_size_t, (c_void_p,)),
     "slalom_scenarios_write": (c_int, (c_void_p, c_char_p)),
@@ -75,6 +83,8 @@ _FUNCTIONS = {
     "slalom_results_json": ("owned", (c_void_p,)),
     "slalom_results_numbers": ("new", (c_void_p, c_char_p)),
     "slalom_results_trajectory": ("new", (c_void_p, c_size_t, c_void_p)),
+    "slalom_results_scenarios": ("new", (c_void_p,)),
+    "slalom_results_add": ("new", (c_void_p, c_char_p, c_char_p)),
     "slalom_results_html": ("owned", (c_void_p,)),
     "slalom_results_summary": ("owned", (c_void_p,)),
     "slalom_results_table": ("owned", (c_void_p, c_char_p, c_char_p, c_double)),
@@ -170,6 +180,11 @@ def taken_array(address: int, code: str, shape: Tuple[int, ...]) -> Any:
 
 def to_json(value: Any) -> bytes:
     return json.dumps(value).encode()
+
+
+def reply(text: str) -> None:
+    """Answers a call of the library."""
+    load().slalom_reply(text.encode(errors="replace").replace(b"\0", b" "))
 
 
 def to_text(value: Any, where: str) -> str:

@@ -14,7 +14,7 @@ from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_int32, c_size_
 from typing import Any, Dict, Iterator, List, Mapping, Tuple
 
 from . import _classes
-from ._library import Call, Error, load, numpy, to_section
+from ._library import Call, Error, numpy, reply, to_section
 
 
 class _Robot(ctypes.Structure):
@@ -142,15 +142,11 @@ _objects: Dict[int, _Own] = {}
 _numbers = itertools.count(1)
 
 
-def _reply(text: str) -> None:
-    load().slalom_reply(text.encode(errors="replace").replace(b"\0", b" "))
-
-
 def _failed(error: BaseException) -> int:
     if isinstance(error, KeyboardInterrupt):
         Call.active.stop(error)  # it ends more than this run
     said = isinstance(error, (_Refused, KeyboardInterrupt))
-    _reply(str(error) if said else _classes.describe(error))
+    reply(str(error) if said else _classes.describe(error))
     return 1
 
 
@@ -161,13 +157,13 @@ def _create(number: int, options: bytes, robot: Any) -> int:
         ranges = _classes.option_ranges(kind, chosen, where)
         own = _Own(kind(_described_robot(robot[0]), chosen))
     except _classes.Invalid as error:
-        _reply(_message(*error.args[1:]))
+        reply(_message(*error.args[1:]))
         return 0
     except BaseException as error:
-        _reply(f"{getattr(kind, '__name__', 'object')} cannot be created: {_classes.describe(error)}")
+        reply(f"{getattr(kind, '__name__', 'object')} cannot be created: {_classes.describe(error)}")
         return 0
     tunable = [dict(zip(("name", "default", "low", "high", "log", "integer"), one)) for one in ranges]
-    _reply(json.dumps({"uses_tracks": own.uses_tracks, "uses_map": own.uses_map, "tunable": tunable}))
+    reply(json.dumps({"uses_tracks": own.uses_tracks, "uses_map": own.uses_map, "tunable": tunable}))
     made = next(_numbers)
     _objects[made] = own
     return made

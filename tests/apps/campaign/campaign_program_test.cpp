@@ -8,6 +8,8 @@
 #include <slalom/app/verify_results.h>
 #include <slalom/core/error.h>
 #include <slalom/core/read_file.h>
+#include <slalom/io/own_columns.h>
+#include <slalom/io/read_results.h>
 #include <slalom/io/result_file.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/results/privileged.h>
@@ -46,6 +48,13 @@ class CampaignProgram : public ::testing::Test {
   static std::vector<Scenario> scenarios_of(const CampaignArguments& arguments) {
     CampaignConfig config = read_campaign(load_campaign_ini(arguments));
     return campaign_scenarios(config, arguments);
+  }
+
+  static void execute(const CampaignArguments& arguments, const std::string& path) {
+    CampaignConfig config = read_campaign(load_campaign_ini(arguments));
+    auto scenarios = campaign_scenarios(config, arguments);
+    ResultFile results = open_campaign_results(config, arguments, scenarios, path);
+    run_campaign_program(config, arguments, std::move(scenarios), std::move(results));
   }
 
   /// Calls campaign_scenarios() with this override and so many scenarios that generating them would
@@ -173,15 +182,39 @@ void copy_with_outcome(const std::string& from, const std::string& to, Outcome o
   copy.commit();
 }
 
+TEST_F(CampaignProgram, VerifyComparesAllButTheColumnsOfTheAuthor) {
+  const std::string path = folder_ + "/runs.results", own = folder_ + "/own.results";
+  const auto given = arguments();
+  execute(given, path);
+  const ResultTable table = read_results(path);
+  const auto verify = [&](const std::string& id, bool is_descriptor) {
+    QuantityInfo info;
+    info.id = id;
+    OwnColumn column{ValueColumn(info), is_descriptor, "return 1"};
+    column.values.add_number(1);
+    write_with_column(ResultFile::open(path), table, column, own);
+    return verify_results(own, given, {}, [](const auto&) {});
+  };
+  for (const bool is_descriptor : {false, true}) {
+    const VerifyReport report = verify("comfort", is_descriptor);
+    EXPECT_EQ(report.identical_runs(), 1U);
+    EXPECT_TRUE(report.differences.empty());
+    ASSERT_EQ(report.unchecked.size(), 1U);
+    EXPECT_EQ(report.unchecked[0],
+              "comfort: not verified, since the function that computes it is not executed "
+              "(own_column.comfort of the manifest)");
+  }
+  // A quantity of Slalom is compared, whatever the manifest states.
+  EXPECT_EQ(verify("impact_speed_of_movers", false).identical_runs(), 1U);
+  EXPECT_EQ(verify("mover_collision", false).differences.size(), 1U);
+}
+
 TEST_F(CampaignProgram, VerifyTakesOnlyTimeLimitsForDifferencesOfTheMachines) {
   const std::string path = folder_ + "/runs.results", other = folder_ + "/other.results";
   const auto verify = [&](const std::vector<std::string>& overrides, Outcome outcome) {
     for (const std::string& file : {path, other}) std::filesystem::remove(file);
     const auto given = arguments(overrides);
-    CampaignConfig config = read_campaign(load_campaign_ini(given));
-    auto scenarios = campaign_scenarios(config, given);
-    ResultFile results = open_campaign_results(config, given, scenarios, path);
-    run_campaign_program(config, given, std::move(scenarios), std::move(results));
+    execute(given, path);
     copy_with_outcome(path, other, outcome, "run_wall_time = 60 s exceeded");
     return verify_results(other, given, {}, [](const auto&) {});
   };

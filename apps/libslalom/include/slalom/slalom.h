@@ -56,6 +56,9 @@ SLALOM_LIBRARY_EXPORT void slalom_stop(void);
  * than 0 ends the job with an error. */
 typedef int (*slalom_progress)(void* context, const char* phase, size_t done, size_t total);
 
+/* What a function of the calling program answers besides its value. */
+SLALOM_LIBRARY_EXPORT void slalom_reply(const char* text);
+
 /* ---- Scenarios ---- */
 
 /* A list of scenarios, which do not change. */
@@ -74,6 +77,15 @@ SLALOM_LIBRARY_EXPORT slalom_scenarios* slalom_scenarios_generate(const char* fa
                                                                   const char* settings,
                                                                   slalom_progress progress,
                                                                   void* context);
+/* Makes a candidate of a family of the calling program: the same for the same seed. Returns 0 and
+ * has given a scenario as YAML, of which JSON is a part, by slalom_reply(); or other than 0 and the
+ * reason, which ends the generation. Called on any of the threads. */
+typedef int (*slalom_family)(void* context, const char* name, uint64_t seed);
+/* As slalom_scenarios_generate(), of candidates of such a family, whose name begins those of the
+ * scenarios. */
+SLALOM_LIBRARY_EXPORT slalom_scenarios* slalom_scenarios_generate_own(
+    const char* name, slalom_family family, int count, uint64_t seed, int workers,
+    const char* settings, slalom_progress progress, void* context);
 /* Appends the scenario `index` of another list. */
 SLALOM_LIBRARY_EXPORT int slalom_scenarios_add(slalom_scenarios* list, const slalom_scenarios* from,
                                                size_t index);
@@ -114,9 +126,6 @@ typedef struct slalom_own_methods {
   void (*destroy)(uint64_t method);
 } slalom_own_methods;
 
-/* What one of these functions answers besides its value. */
-SLALOM_LIBRARY_EXPORT void slalom_reply(const char* text);
-
 /* ---- Results ---- */
 
 typedef struct slalom_results slalom_results;
@@ -145,6 +154,15 @@ SLALOM_LIBRARY_EXPORT double* slalom_results_numbers(const slalom_results* resul
  */
 SLALOM_LIBRARY_EXPORT double* slalom_results_trajectory(const slalom_results* results, size_t run,
                                                         size_t* samples);
+/* Their scenarios, in the order in which they first occur in the runs. Of results in a file. */
+SLALOM_LIBRARY_EXPORT slalom_scenarios* slalom_results_scenarios(const slalom_results* results);
+/* Writes the results with one more column to a file, and returns those. Its values are numbers, or
+ * texts that say why there is none, one per run, or one per scenario. `column` is {"id", "of":
+ * "runs" or "scenarios", "values", "version": 1, "unit": "m", "better": "up", "down" or "none",
+ * "kind": "rate", "count", "amount", "ratio" or "score", "range": "0..1", "source": the text of
+ * what computes it}. Of results in a file. */
+SLALOM_LIBRARY_EXPORT slalom_results* slalom_results_add(const slalom_results* results,
+                                                         const char* column, const char* path);
 /* The first screen of a report as a page of its own, without links and pictures. */
 SLALOM_LIBRARY_EXPORT char* slalom_results_html(const slalom_results* results);
 /* What slalom-analyze summary prints. */
