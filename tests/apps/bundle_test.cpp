@@ -21,6 +21,16 @@ struct Forgery {
   std::function<bool(std::size_t)> scenario = [](std::size_t) { return true; };
 };
 
+/// Copies all scenarios and runs, with other trajectories.
+void copy_all(const ResultFile& from, ResultFile& to,
+              const std::function<Trajectory(const RunRecord&)>& trajectory_of) {
+  for (const auto& [hash, name] : from.read_scenario_names()) {
+    to.add_scenario(from.read_record(hash), from.read_scenario(hash), from.read_references(hash));
+    for (const RunRecord& run : from.read_runs(hash)) to.add_run(run, {}, trajectory_of(run));
+  }
+  to.commit();
+}
+
 class Bundles : public ResultsTest {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
@@ -38,8 +48,10 @@ class Bundles : public ResultsTest {
         if (!forgery.scenario(number++)) continue;
         to.add_scenario(from.read_record(hash), from.read_scenario(hash),
                         from.read_references(hash));
-        for (RunRecord run : from.read_runs(hash))
-          if (forgery.run(run)) to.add_run(run, {}, from.read_trajectory(run));
+        for (RunRecord run : from.read_runs(hash)) {
+          const Trajectory trajectory = from.read_trajectory(run);
+          if (forgery.run(run)) to.add_run(run, {}, trajectory);
+        }
       }
       to.commit();
     }
@@ -266,12 +278,73 @@ TEST_F(Bundles, AStatementThatIsLeftOutIsComparedAsItsDefault) {
   expect_found("its manifest states robot.max_w = absent, its campaign has 1.4");
 }
 
-TEST_F(Bundles, ARunWhoseRepetitionIsNoIntIsDamaged) {
-  ASSERT_EQ(
-      run("sqlite3 runs.results \"UPDATE runs SET repetition = 4294967296 WHERE run = 1\"").status,
-      0);
-  expect_failure("slalom-simulate verify runs.results --quiet", 3,
-                 {"/4294967296 is damaged", "an unmodified file"});
+TEST_F(Bundles, ARunWhoseKeyIsOfAnotherTypeIsDamaged) {
+  const std::string intact = read("runs.results");
+  for (const char* forged :
+       {"repetition = 4294967296", "repetition = 0.5", "repetition = x'30'", "repetition = '0x'",
+        "method = CAST(method AS BLOB)", "scenario = CAST(scenario AS BLOB)"}) {
+    write("runs.results", intact);
+    ASSERT_EQ(
+        run(std::string("sqlite3 runs.results \"UPDATE runs SET ") + forged + " WHERE run = 1\"")
+            .status,
+        0);
+    expect_failure("slalom-simulate verify runs.results --quiet", 3,
+                   {" is damaged", "an unmodified file"});
+  }
+}
+
+TEST_F(Bundles, WhatIsStatedOfAQuantityIsCompared) {
+  const ResultFile from = ResultFile::open(path("runs.results"));
+  const auto expect_found_of = [&](const std::function<void(QuantityInfo&)>& change,
+                                   const std::string& words) {
+    std::vector<QuantityInfo> metrics = from.metrics();
+    for (QuantityInfo& info : metrics)
+      if (info.id == "time_to_goal") change(info);
+    {
+      ResultFile to = ResultFile::create(path("forged.results"), from.read_manifest(),
+                                         from.descriptors(), metrics);
+      copy_all(from, to, [&](const RunRecord& run) { return from.read_trajectory(run); });
+    }
+    write_bundle(path("forged.results"), path("forged.slalom"), {});
+    expect_found("the file states time_to_goal as " + words);
+  };
+  expect_found_of([](QuantityInfo& info) { info.direction = Direction::Up; },
+                  "Time to goal, s, up, amount, 0..; it is Time to goal, s, down, amount, 0..");
+  expect_found_of([](QuantityInfo& info) { info.unit = "ms"; }, "Time to goal, ms");
+  expect_found_of([](QuantityInfo& info) { info.range.high = 60; },
+                  "Time to goal, s, down, amount, 0..60");
+}
+
+TEST_F(Bundles, ATrajectoryOfAnotherRunIsFound) {
+  const ResultFile from = ResultFile::open(path("runs.results"));
+  {
+    ResultFile to = ResultFile::create(path("forged.results"), from.read_manifest(),
+                                       from.descriptors(), from.metrics());
+    Trajectory first;
+    copy_all(from, to, [&](const RunRecord& run) {
+      if (first.samples.empty()) first = from.read_trajectory(run);
+      return first;
+    });
+  }
+  expect_failure("slalom-simulate verify forged.results --quiet", 3,
+                 {"its trajectory does not have the hash that the run states"});
+}
+
+TEST_F(Bundles, AShardHasTheScenariosAndStatementsOfItsPart) {
+  for (const char* shard : {"1/2", "2/2"})
+    ASSERT_EQ(run(std::string("slalom-simulate run -c small.ini --quiet -o ") + shard[0] +
+                  ".results --shard " + shard)
+                  .status,
+              0);
+  const ProgramResult verified = run("slalom-simulate verify 2.results --fraction 1 --quiet");
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  // A campaign without the scenarios in which a method fails, called a shard.
+  forge({[](Manifest& manifest) { manifest["shard"] = "1/4"; }, [](RunRecord&) { return true; },
+         [](std::size_t number) { return number == 1; }});
+  expect_found("1 scenario of 1 are not those that the campaign generates");
+  forge({[](Manifest& manifest) { manifest["shard"] = "1/2"; }, [](RunRecord&) { return true; },
+         [](std::size_t number) { return number == 0; }});
+  expect_found("the file lacks 2 of 4 runs of its campaign");
 }
 
 TEST_F(Bundles, AnInterruptedVerificationLeavesNothing) {
@@ -342,6 +415,10 @@ TEST_F(Bundles, ForgedStatementsAreFound) {
   expect_found("its manifest states robot.max_accel_v = 1");
   forge({[](Manifest& manifest) { manifest["methods.privileged"] = "nd"; }});
   expect_found("its manifest states methods.privileged = nd, its campaign has ");
+  forge({[](Manifest& manifest) {
+    manifest["scenarios.hash"] = "04203288f4478c5641527e24e4f2f53f";
+  }});
+  expect_found("its manifest states scenarios.hash = 04203288f4478c5641527e24e4f2f53f, its ");
 }
 
 TEST_F(Bundles, CarryTheFilesOfTheirMethods) {

@@ -13,6 +13,7 @@
 #include <slalom/io/campaign_identity.h>
 #include <slalom/io/find_run.h>
 #include <slalom/io/list_hash.h>
+#include <slalom/io/merge_results.h>
 #include <slalom/map_formats/map_import.h>
 
 #include <algorithm>
@@ -76,7 +77,7 @@ std::string choose_again(const std::string& text, const CampaignConfig& config, 
 }  // namespace
 
 std::string PlanComparison::text() const {
-  if (!shard.empty()) return "is shard " + shard + " of its campaign";
+  if (is_whole() && !shard.empty()) return "is shard " + shard + " of its campaign";
   if (!foreign.empty()) return "contains run " + foreign + ", which is not of its campaign";
   return "lacks " + std::to_string(planned - present) + " of " + count_text(planned, "run") +
          " of its campaign, " + first_missing + " first";
@@ -89,10 +90,12 @@ PlanComparison compare_plan(const ResultFile& file, const CampaignConfig& config
   const int repetitions = config.options.repetitions;
   plan.planned = hashes.size() * config.methods.size() * static_cast<std::size_t>(repetitions);
   if (manifest.count("until") == 0) {
-    const RunPlan stated = plan_of(manifest, file.path());
+    RunPlan stated = plan_of(manifest, file.path());
     if (stated.shard.count > 1) plan.shard = to_string(stated.shard);
-    plan.planned = stated.scenarios * config.methods.size() * static_cast<std::size_t>(repetitions);
-    if (stated.scenarios > hashes.size()) plan.first_missing = "those of a scenario";
+    stated.runs_of_each = config.methods.size() * static_cast<std::size_t>(repetitions);
+    plan.planned = stated.runs_of(stated.shard);
+    if (plan.planned > hashes.size() * stated.runs_of_each)
+      plan.first_missing = "those of a scenario";
   }
   std::set<std::string> methods;
   for (const NamedMethod& method : config.methods) methods.insert(method.name);
@@ -163,6 +166,13 @@ ScenarioSet compare_scenarios(const ResultFile& file, const CampaignConfig& conf
       return set;
     }
   }
+  Manifest recorded = manifest, here = make_manifest(config, made, std::nullopt);
+  for (const char* key : {"scenarios.hash", "scenarios.names"})
+    if (recorded[key] != here[key])
+      set.differences.push_back(difference_text({key, here[key], recorded[key]}));
+  if (const auto shard = manifest.find(kShardKey);
+      shard != manifest.end() && !shard->second.empty())
+    made = scenarios_of_shard(std::move(made), parse_shard(shard->second, file.path()));
   std::set<std::string> expected;
   for (const Scenario& scenario : made) expected.insert(scenario.hash());
   const auto others = static_cast<std::size_t>(

@@ -17,9 +17,9 @@ struct PlanComparison {
   std::string first_missing;  ///< HASH8/METHOD/REPETITION, or "a scenario"
   std::string foreign;        ///< a run that is not in the plan
 
-  bool complete() const {
-    return shard.empty() && first_missing.empty() && present == planned && foreign.empty();
-  }
+  /// Whether the file contains all runs of its campaign, or of the shard that it is.
+  bool is_whole() const { return first_missing.empty() && present == planned && foreign.empty(); }
+  bool complete() const { return shard.empty() && is_whole(); }
   /// "lacks 3 of 2001 runs of its campaign, run 0123abcd/nd/0 first".
   std::string text() const;
 };

@@ -231,7 +231,8 @@ bool explain_differences(const std::vector<DifferingRun>& runs, const Manifest& 
   return again.complete;
 }
 
-/// Checksums of all runs and scenarios: a sample would miss most of them.
+/// Checksums of all runs and scenarios, and hashes of trajectories: a sample would miss most of
+/// them.
 void require_intact(const ResultFile& file) {
   std::vector<std::string> damaged = read_results(file.path()).damaged;
   // Figures of the wall clock are not compared.
@@ -243,6 +244,26 @@ void require_intact(const ResultFile& file) {
                      damaged.front() + " is damaged (does not match its checksum), " +
                          std::to_string(damaged.size()) + " in all",
                      "an unmodified file");
+  file.for_each_run([&](const RunRecord& run) { file.read_trajectory(run); });
+}
+
+/// What a file states of a quantity beside its values, by which tables judge them.
+std::string statement_of(const QuantityInfo& info) {
+  return info.name + ", " + info.unit + ", " + std::string(to_string(info.direction)) + ", " +
+         std::string(to_string(info.kind)) + ", " + range_notation(info.range);
+}
+
+/// Adds the quantities of the file that are not as this version has them. Values of other versions
+/// differ themselves.
+void compare_quantities(const std::vector<QuantityInfo>& stated,
+                        const std::vector<QuantityInfo>& here, VerifyReport& report) {
+  for (const QuantityInfo& info : stated)
+    for (const QuantityInfo& known : here)
+      if (known.id == info.id && known.version == info.version &&
+          statement_of(known) != statement_of(info))
+        report.differences.push_back(printable_line("the file states " + info.id + " as " +
+                                                    statement_of(info) + "; it is " +
+                                                    statement_of(known)));
 }
 
 /// Compares what does not need an execution: the plan, what the manifest states, the scenarios.
@@ -252,9 +273,10 @@ void compare_whole(const ResultFile& file, const CampaignConfig& config, const I
   const PlanComparison plan = compare_plan(file, config);
   report.total_runs = plan.present;
   report.total_scenarios = file.read_scenario_names().size();
-  if (!plan.shard.empty()) return;
-  if (!plan.complete())  // with names that only a forged file has
+  if (!plan.is_whole())  // with names that only a forged file has
     report.differences.push_back(printable_line("the file " + plan.text()));
+  compare_quantities(file.metrics(), config.options.metric_infos(), report);
+  compare_quantities(file.descriptors(), config.options.descriptor_infos(), report);
   for (const std::string& line : statement_differences(file, config, ini))
     report.differences.push_back(line);
   if (!sample.scenarios) return;
@@ -277,9 +299,9 @@ void compare_whole(const ResultFile& file, const CampaignConfig& config, const I
 VerifyReport verify_results(const std::string& path, const CampaignArguments& arguments,
                             const VerifySample& sample, const EnvironmentHandler& on_environment) {
   const ResultFile file = ResultFile::open(path);
-  require_intact(file);
   Manifest manifest = file.read_manifest();
   expect_scenarios(manifest, path);
+  require_intact(file);
   const IniFile ini =
       arguments.config.empty() ? recorded_ini(manifest, path) : load_campaign_ini(arguments);
   CampaignConfig config = read_campaign(ini);

@@ -48,6 +48,8 @@ class FastRows {
     return true;
   }
   bool is_null(int column) const { return sqlite3_value_type(at(column)) == SQLITE_NULL; }
+  bool is_text(int column) const { return sqlite3_value_type(at(column)) == SQLITE_TEXT; }
+  bool is_integer(int column) const { return sqlite3_value_type(at(column)) == SQLITE_INTEGER; }
   double number(int column) const { return sqlite3_value_double(at(column)); }
   std::int64_t integer(int column) const { return sqlite3_value_int64(at(column)); }
   /// Whether the column after the first `columns` is the checksum of those from `begin` on.
@@ -212,8 +214,9 @@ class ColumnReader {
     std::int64_t count = 0;
     for (; rows.next(); ++count) {
       const std::int64_t repetition = rows.integer(RunColumn::Repetition);
-      if (!rows.is_intact(RunColumn::Scenario, checksum) || repetition < 0 ||
-          repetition > std::numeric_limits<int>::max()) {
+      if (!rows.is_intact(RunColumn::Scenario, checksum) || !rows.is_text(RunColumn::Scenario) ||
+          !rows.is_text(RunColumn::Method) || !rows.is_integer(RunColumn::Repetition) ||
+          repetition < 0 || repetition > std::numeric_limits<int>::max()) {
         report_damage("run", rows);
         continue;
       }

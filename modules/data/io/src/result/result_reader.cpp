@@ -93,9 +93,12 @@ std::map<std::string, double> numbers_in(const std::string& text, const std::str
   return numbers;
 }
 
-/// Whether a number of a row, which a forger may have written, is the repetition of a run.
-bool is_repetition(std::int64_t number) {
-  return number >= 0 && number <= std::numeric_limits<int>::max();
+/// Whether three values of a row, which a forger may have written, are the key of a run: SQLite
+/// converts values of other types when they are read, and finds them by other keys.
+bool is_key(SQLite::Statement& row, int scenario, int method, int repetition) {
+  const SQLite::Column number = row.getColumn(repetition);
+  return row.getColumn(scenario).isText() && row.getColumn(method).isText() && number.isInteger() &&
+         number.getInt64() >= 0 && number.getInt64() <= std::numeric_limits<int>::max();
 }
 
 /// A run without its metrics, of a row that may be damaged.
@@ -136,7 +139,7 @@ std::int64_t use_runs(const OpenResultFile& file, const DamageHandler& report, U
        row.executeStep(); ++count) {
     RunRecord run = run_without_metrics(row);
     if (is_intact(row, RunColumn::Scenario) &&
-        is_repetition(row.getColumn(RunColumn::Repetition).getInt64())) {
+        is_key(row, RunColumn::Scenario, RunColumn::Method, RunColumn::Repetition)) {
       expect_name(run.method, "a method");
       expect_name(run.scenario_name, "a scenario");
       read_metrics(row, file, run);
@@ -250,13 +253,12 @@ void ResultFile::for_each_key(const std::function<void(const std::string&, const
   reading(impl_->path, [&] {
     SQLite::Statement rows = impl_->select("scenario, method, repetition, outcome FROM runs");
     while (rows.executeStep()) {
-      const std::int64_t repetition = rows.getColumn(2).getInt64();
       const std::string hash = rows.getColumn(0).getString(),
                         method = rows.getColumn(1).getString();
-      if (!is_repetition(repetition))
-        throw damaged(*impl_,
-                      "run " + hash.substr(0, 8) + "/" + method + "/" + std::to_string(repetition));
-      use(hash, method, static_cast<int>(repetition), rows.getColumn(3).getString());
+      if (!is_key(rows, 0, 1, 2))
+        throw damaged(*impl_, "run " + hash.substr(0, 8) + "/" + method + "/" +
+                                  rows.getColumn(2).getString());
+      use(hash, method, rows.getColumn(2).getInt(), rows.getColumn(3).getString());
     }
   });
 }
@@ -357,7 +359,11 @@ Trajectory ResultFile::read_trajectory(const RunRecord& run) const {
         use_row_of(run, *impl_, "trajectories", "content",
                    [&](SQLite::Statement& row) { content = row.getColumn(1).getString(); });
     if (!found) throw file_error(where, "has no trajectory");
-    return PackedTrajectory::of_bytes(content).unpack(where);
+    Trajectory trajectory = PackedTrajectory::of_bytes(content).unpack(where);
+    if (!trajectory.samples.empty() && !run.trajectory_hash.empty() &&
+        trajectory.hash() != run.trajectory_hash)
+      throw file_error(where, "its trajectory does not have the hash that the run states", kIntact);
+    return trajectory;
   });
 }
 
