@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_run.h"
 
+#include <slalom/core/hash.h>
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -77,6 +79,11 @@ TEST_F(Certify, VerifyFindsAnswersThatAreNotThoseOfTheRuns) {
   changed["answer"]["outcomes"] = "0123";
   write("other.json", changed.dump());
   expect_failure("slalom-certify verify other.json --quiet", 1, {"differs: outcomes: "});
+  changed = certificate("a.json");
+  changed["answer"]["front"] = {1};
+  write("more.json", changed.dump());
+  expect_failure("slalom-certify verify more.json --quiet", 1,
+                 {"differs: front: nothing instead of [1]"});
 }
 
 TEST_F(Certify, VerifyRefusesWhatItCannotRead) {
@@ -93,6 +100,12 @@ TEST_F(Certify, VerifyRefusesWhatItCannotRead) {
   write("foreign.json", foreign.dump());
   write("foreign.so", "");
   expect_failure("slalom-certify verify foreign.json", 2, {"foreign.so", "--trust"});
+  // A search would build the method with each value, whatever the user has overridden.
+  foreign["campaign.ini"] =
+      std::string(kIni) + "[tune]\nplugin = libslalom_follow_the_gap.so | foreign.so\n";
+  write("foreign.json", foreign.dump());
+  expect_failure("slalom-certify verify foreign.json", 2,
+                 {"method.gap: plugin = foreign.so", "--trust"});
 }
 
 TEST_F(Certify, NothingClaimedIsAnAnswerUnlessALimitIsRequired) {
@@ -239,10 +252,6 @@ TEST_F(Certify, ASampleOfTheBatchesOfARiskIsVerified) {
   ASSERT_EQ(run("slalom-certify risk my.ini --quiet --method gap --budget 60 -o a.json").status, 0);
   const ProgramResult sampled = run("slalom-certify verify a.json --quiet --sample 1 --seed 7");
   EXPECT_EQ(sampled.out, "a.json: 1 of 1 batches (0) identical, sample 7\n") << sampled.err;
-  Json changed = certificate("a.json");
-  changed["answer"]["batches"][0]["hash"] = "0";
-  write("b.json", changed.dump());
-  expect_failure("slalom-certify verify b.json --quiet --sample 1", 1, {"batch 0: differs"});
   // Whatever follows from the batches is recomputed before any run.
   const auto forged = [&](const std::function<void(Json&)>& change) {
     Json other = certificate("a.json");
@@ -250,6 +259,16 @@ TEST_F(Certify, ASampleOfTheBatchesOfARiskIsVerified) {
     write("b.json", other.dump());
     return "slalom-certify verify b.json --quiet --sample 1";
   };
+  expect_failure(forged([](Json& answer) { answer["batches"][0]["hash"] = "0"; }), 1,
+                 {"outcomes: differs"});
+  expect_failure(forged([](Json& answer) {
+                   answer["batches"][0]["hash"] = "0";
+                   answer["outcomes"] = Hasher().add("risk/0").add("0").hex();
+                 }),
+                 1, {"batch 0: differs"});
+  for (const char* key : {"resolution", "seed"})
+    expect_failure(forged([&](Json& answer) { answer[key] = 99; }), 1,
+                   {std::string(key) + ": differs: ", " instead of 99"});
   expect_failure(forged([](Json& answer) { answer["bound"] = 1e-4; }), 1, {"bound: differs"});
   expect_failure(
       forged([](Json& answer) { answer["claim"] = "probability of collision <= 0.0001"; }), 1,
@@ -270,8 +289,29 @@ TEST_F(Certify, ASampleOfTheBatchesOfARiskIsVerified) {
                    answer["outcome_counts"] = {{"success", 59}};
                  }),
                  1, {"outcome_counts: differs"});
+  expect_failure(forged([](Json& answer) {
+                   Json& counts = answer["outcome_counts"];
+                   counts["stuck"] = counts.value("stuck", 0) + counts["success"].get<int>();
+                   counts.erase("success");
+                 }),
+                 1, {"outcome_counts: differs: ", " success in 1 batches, 0 in all"});
+  expect_failure(forged([](Json& answer) { answer["failures"].push_back(1); }), 1,
+                 {"failures: differs: "});
   write_limit("limit.json");
   expect_failure("slalom-certify verify limit.json --quiet --sample 1", 2, {"no parts"});
+}
+
+TEST_F(Certify, TheFailuresOfASampledBatchAreCompared) {
+  ASSERT_EQ(run("slalom-certify risk my.ini --quiet --method gap --budget 20 --outcome success "
+                "-o a.json")
+                .status,
+            0);
+  Json changed = certificate("a.json");
+  Json& failures = changed["answer"]["failures"];
+  ASSERT_GE(failures.size(), 2U);
+  failures[1]["yaml"] = failures[0]["yaml"];
+  write("b.json", changed.dump());
+  expect_failure("slalom-certify verify b.json --quiet --sample 1", 1, {"failures[1]: differs: "});
 }
 
 TEST_F(Certify, AnInterruptedQuestionContinuesWithItsRuns) {
@@ -524,9 +564,9 @@ TEST_F(Certify, ChangedCertificatesAreNotShownAndAreDifferent) {
   write("same.json", stored.dump(4));
   EXPECT_EQ(run("slalom-certify show same.json").out, run("slalom-certify show a.json").out);
   EXPECT_EQ(run("slalom-certify verify same.json --quiet --sample 1").status, 0);
-  // A number that nothing else depends on.
+  // A text that nothing else depends on.
   Json changed = stored;
-  changed["answer"]["resolution"] = 0.5;
+  changed["environment"]["compiler"] = "cc";
   write("b.json", changed.dump());
   expect_failure("slalom-certify show b.json", 3, {"does not match its checksum"});
   expect_failure("slalom-certify verify b.json --quiet --sample 1", 1, {"differs: checksum"});

@@ -12,8 +12,11 @@
 namespace slalom {
 namespace {
 
+constexpr char kTune[] = "tune";
+
 /// A library that comes with Slalom, by its name or its path. One that does not exist is none.
-bool is_shipped(const IniFile& ini, const ExternalOption& option) try {
+bool is_shipped(IniFile ini, const ExternalOption& option) try {
+  ini.set(option.section, option.key, option.value);
   const std::filesystem::path path = resolve_plugin_path(ini, option.section, option.key);
   std::error_code ignored;
   return contains(shipped_plugins(), path.filename().string()) &&
@@ -34,6 +37,18 @@ bool is_foreign(const IniFile& ini, const ExternalOption& option) {
     default:
       return true;
   }
+}
+
+/// Values that [tune] tries for options of methods: a search builds a method with each of them.
+std::vector<ExternalOption> tuned_options(const IniFile& ini,
+                                          const std::vector<std::string>& sections) {
+  std::vector<ExternalOption> options;
+  for (const std::string& section : sections)
+    for (const std::string& key : ini.keys(kTune))
+      if (const External use = external_use(ini, section, key); use != External::None)
+        for (const std::string& value : split(ini.get(kTune, key).value_or(""), '|'))
+          options.push_back({section, key, value, use});
+  return options;
 }
 
 std::string path_of(const IniFile& ini, const ExternalOption& option) {
@@ -83,11 +98,14 @@ void require_no_foreign_code(const IniFile& ini, std::vector<std::string> sectio
     for (const std::string& section : ini.sections())
       if (starts_with(section, "method.")) sections.push_back(section);
   std::vector<std::string> foreign;
-  for (const ExternalOption& option : external_options(ini, sections)) {
-    if (starts_with(ini.where(option.section, option.key), "--set")) continue;
-    if (is_foreign(ini, option))
+  const auto judge = [&](const ExternalOption& option, const std::string& section) {
+    const bool is_overridden = starts_with(ini.where(section, option.key), "--set");
+    if (!is_overridden && is_foreign(ini, option))
       foreign.push_back(option.section + ": " + option.key + " = " + option.value);
-  }
+  };
+  for (const ExternalOption& option : external_options(ini, sections))
+    judge(option, option.section);
+  for (const ExternalOption& option : tuned_options(ini, sections)) judge(option, kTune);
   if (!foreign.empty())
     throw usage_error(file,
                       "its methods would execute what the file names (" + join(foreign, ", ") + ")",

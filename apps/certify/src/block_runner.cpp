@@ -81,6 +81,12 @@ bool draws_again(const RunStream& stream) {
 
 }  // namespace
 
+std::string hash_of_streams(const std::map<std::string, std::string>& hashes) {
+  Hasher hasher;
+  for (const auto& [name, hash] : hashes) hasher.add(name).add(hash);
+  return hasher.hex();
+}
+
 MethodCampaign read_method_campaign(IniFile ini, const std::string& method) {
   require_method(ini, "--method", method);
   ini.set("campaign", "methods", method);
@@ -229,10 +235,10 @@ std::string BlockRunner::hash(const std::string& stream) const {
 }
 
 std::string BlockRunner::hash_all(const std::string& prefix) const {
-  Hasher hasher;
+  std::map<std::string, std::string> hashes;
   for (const auto& [name, kept] : streams_)
-    if (kept.passed > 0 && starts_with(name, prefix)) hasher.add(name).add(hash(name));
-  return hasher.hex();
+    if (kept.passed > 0 && starts_with(name, prefix)) hashes[name] = hash(name);
+  return hash_of_streams(hashes);
 }
 
 /// Line by line: the name of a stream after "@", or outcome, digest and value of its next run.

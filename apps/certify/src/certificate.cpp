@@ -62,13 +62,15 @@ std::string difference(const nlohmann::json& stored, const nlohmann::json& repea
   for (const auto& [key, value] : repeated.items()) {
     const nlohmann::json before =
         stored.is_object() ? stored.value(key, nlohmann::json()) : nlohmann::json();
-    if (value == before) continue;
+    if (value == before && stored.contains(key)) continue;
     if (value.is_array() && before.is_array() && value.size() == before.size())
       for (std::size_t i = 0; i < value.size(); ++i)
         if (value[i].is_object() && value[i] != before[i])
           return key + "[" + std::to_string(i) + "]." + difference(before[i], value[i]);
     return key + ": " + value.dump() + " instead of " + before.dump();
   }
+  for (const auto& [key, value] : stored.items())
+    if (!repeated.contains(key)) return key + ": nothing instead of " + value.dump();
   return "";
 }
 

@@ -47,7 +47,8 @@ class RiskQuestion : public Question {
                  Counts& counts) const;
   double bound_of(std::size_t runs, std::size_t hits, bool claimed) const;
   bool shows(std::size_t runs, std::size_t hits) const;
-  void check_sums(const Json& answer) const;
+  void check_sums(const Json& answer, const CampaignOptions& options) const;
+  void compare_listed(const Json& answer, std::size_t batch, const Counts& repeated) const;
   std::string claim_text(const Json& answer) const;
 
   std::vector<std::string> outcomes_ = {"collision"};
@@ -221,10 +222,11 @@ bool RiskQuestion::shows(std::size_t runs, std::size_t hits) const {
 }
 
 /// Recomputes all that follows from the batches, so that only their runs are left to be executed.
-void RiskQuestion::check_sums(const Json& answer) const {
+void RiskQuestion::check_sums(const Json& answer, const CampaignOptions& options) const {
   const Json& batches = answer.at("batches");
   std::size_t runs = 0, hits = 0, redrawn = 0, counted = 0, counted_hits = 0;
   std::map<Json, std::size_t> hashes;
+  std::map<std::string, std::string> by_stream;
   for (std::size_t i = 0; i < batches.size(); ++i) {
     const auto size = batches.at(i).at("runs").get<std::size_t>();
     const auto own_hits = batches.at(i).at("hits").get<std::size_t>();
@@ -232,6 +234,7 @@ void RiskQuestion::check_sums(const Json& answer) const {
     if (size == 0 || own_hits > size || (i + 1 < batches.size() ? size != kBatch : size > kBatch))
       throw job_error(name, "differs: " + batches.at(i).dump(),
                       "batches of " + std::to_string(kBatch) + " runs, the last one of the rest");
+    by_stream["risk/" + std::to_string(i)] = batches.at(i).at("hash");
     const auto [other, is_new] = hashes.emplace(batches.at(i).at("hash"), i);
     if (!is_new)
       throw job_error(name, "differs: it has the runs of batch " + std::to_string(other->second));
@@ -258,22 +261,45 @@ void RiskQuestion::check_sums(const Json& answer) const {
   expected["claimed"] = claimed;
   expected["bound"] = bound_of(runs, hits, claimed);
   expected["claim"] = claim_text(expected);
-  for (const char* key : {"runs", "hits", "redrawn", "claimed", "bound", "claim"})
+  expected["resolution"] = options.simulation.resolution;
+  expected["seed"] = options.seed;
+  expected["outcomes"] = hash_of_streams(by_stream);
+  for (const char* key :
+       {"runs", "hits", "redrawn", "claimed", "bound", "claim", "resolution", "seed", "outcomes"})
     if (answer.at(key) != expected.at(key))
       throw job_error(
           key, "differs: " + expected.at(key).dump() + " instead of " + answer.at(key).dump());
+  if (answer.at("failures").size() != std::min(hits, kListedHits))
+    throw job_error("failures", "differs: " + std::to_string(answer.at("failures").size()) +
+                                    " instead of " + std::to_string(std::min(hits, kListedHits)));
+}
+
+/// Compares the failures of a batch that an answer lists: the first ones of all batches.
+void RiskQuestion::compare_listed(const Json& answer, std::size_t batch,
+                                  const Counts& repeated) const {
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < batch; ++i)
+    place += answer.at("batches").at(i).at("hits").get<std::size_t>();
+  for (const Json& failure : repeated.listed) {
+    if (place >= kListedHits) return;
+    const std::string name = "failures[" + std::to_string(place) + "]";
+    const Json& stored = answer.at("failures").at(place++);
+    if (nlohmann::json(failure) != nlohmann::json(stored))
+      throw job_error(name, "differs: " + failure.dump() + " instead of " + stored.dump());
+  }
 }
 
 std::string RiskQuestion::verify_sample(const MethodCampaign& campaign, const Json& answer,
                                         BlockRunner& runner, std::size_t size,
                                         RandomEngine& engine) const {
-  check_sums(answer);
+  check_sums(answer, campaign.options);
   const Json& batches = answer.at("batches");
   std::vector<std::size_t> order(batches.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   shuffle(order, engine);
   order.resize(std::min(size, order.size()));
   std::vector<std::string> names;
+  std::map<Outcome, std::size_t> outcomes;
   for (const std::size_t batch : order) {
     const Json& stored = batches.at(batch);
     Counts counts;
@@ -284,6 +310,16 @@ std::string RiskQuestion::verify_sample(const MethodCampaign& campaign, const Js
     if (nlohmann::json(repeated) != nlohmann::json(stored))
       throw job_error("batch " + names.back(),
                       "differs: " + repeated.dump() + " instead of " + stored.dump());
+    compare_listed(answer, batch, counts);
+    for (const auto& [outcome, count] : counts.outcomes) outcomes[outcome] += count;
+  }
+  for (const auto& [outcome, count] : outcomes) {
+    const auto stored = answer.at("outcome_counts").value(to_string(outcome), std::size_t{0});
+    if (stored < count || (order.size() == batches.size() && stored != count))
+      throw job_error("outcome_counts", "differs: " + std::to_string(count) + " " +
+                                            std::string(to_string(outcome)) + " in " +
+                                            std::to_string(order.size()) + " batches" + ", " +
+                                            std::to_string(stored) + " in all");
   }
   return std::to_string(order.size()) + " of " + std::to_string(batches.size()) + " batches (" +
          join(names, ", ") + ")";

@@ -59,6 +59,9 @@ struct BlockRun {
 };
 using ReceiveRun = std::function<bool(const BlockRun& run)>;
 
+/// The hash of several streams, of the hash of each by its name.
+std::string hash_of_streams(const std::map<std::string, std::string>& hashes);
+
 /// How runs are executed; neither workers nor interruption affect a run.
 struct BlockExecution {
   int workers = 1;
