@@ -37,9 +37,11 @@ void add_key_options(CLI::App& verb, CsvColumnOptions& options, bool shown) {
                 "world,success,collided,timeout,time,metric"),
       add_words(verb, "--up", options.up, "Columns of which more is better"),
       add_words(verb, "--down", options.down, "Columns of which less is better"),
+      add_words(verb, "--conditional", options.conditional,
+                "Columns that do not count in runs that failed (default: times, lengths and the "
+                "like)"),
       add_words(verb, "--unconditional", options.unconditional,
-                "Columns that count in runs that failed, too (default: times, lengths and the "
-                "like do not)"),
+                "Columns that count in runs that failed, too"),
       verb.add_option_function<std::string>(
           "--kind",
           [&options](const std::string& text) { options.kinds = parse_column_kinds(text); },

@@ -3,12 +3,15 @@
 
 #include <slalom/analysis/table_export.h>
 #include <slalom/core/error.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/text.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -179,6 +182,22 @@ void add_values(const Json& object, const std::string& prefix, Row& row) {
       row.emplace_back(prefix + key, field_text(value));
 }
 
+/// Finds a key that an object has twice, of which a reader would see one.
+class KeysOfObjects {
+ public:
+  void see(std::size_t depth, Json::parse_event_t event, const Json& value) {
+    if (depth > kMaxDepth) return;
+    if (event == Json::parse_event_t::object_start) keys_[depth + 1].clear();
+    if (event == Json::parse_event_t::key && !keys_[depth].insert(value.get<std::string>()).second)
+      twice_ = value.get<std::string>();
+  }
+  const std::string& twice() const { return twice_; }
+
+ private:
+  std::array<std::set<std::string>, kMaxDepth + 2> keys_;  ///< of the objects that are open
+  std::string twice_;
+};
+
 /// The rows of all tables of a file.
 class JsonTables {
  public:
@@ -226,8 +245,15 @@ class JsonTables {
 }  // namespace
 
 std::optional<ForeignTable> table_from_json(const std::string& text, const std::string& name) {
-  const auto is_shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kMaxDepth; };
-  const Json file = Json::parse(without_nan(text), is_shallow, false);
+  KeysOfObjects keys;
+  const auto is_kept = [&](int depth, Json::parse_event_t event, Json& value) {
+    keys.see(static_cast<std::size_t>(depth), event, value);
+    return depth <= kMaxDepth;
+  };
+  const Json file = Json::parse(without_nan(text), is_kept, false);
+  if (!keys.twice().empty())
+    throw file_error(name, "an object has two values of '" + printable_line(keys.twice()) + "'",
+                     "each key once");
   if (is_bench_mr(file)) return bench_mr_table(file);
   JsonTables tables(name);
   tables.read(file, "");

@@ -7,8 +7,10 @@
 #include <slalom/xml/xml_file.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 #include <unzip.h>
 #include <utility>
 
@@ -107,10 +109,37 @@ std::vector<std::pair<std::string, std::string>> sheets_of(const Package& packag
   return sheets;
 }
 
+/// Whether a format shows a number, a fraction of a day, as a time: "h:mm:ss", not a date.
+bool shows_time(const std::string& format) {
+  return format.find(':') != std::string::npos && format.find_first_of("yd") == std::string::npos;
+}
+
+/// The numbers of the styles of cells that show times.
+std::set<std::string> styles_of_times(const Package& package) {
+  std::set<std::string> formats = {"18", "19", "20", "21", "45", "46", "47"}, styles;
+  if (!package.has("xl/styles.xml")) return styles;
+  const XmlFile file = package.read("xl/styles.xml");
+  for (const XMLElement* list : parts_of(file.root(), "numFmts"))
+    for (const XMLElement* format : parts_of(*list, "numFmt"))
+      if (shows_time(lower_case(xml_attribute(*format, "formatCode"))))
+        formats.insert(xml_attribute(*format, "numFmtId"));
+  for (const XMLElement* list : parts_of(file.root(), "cellXfs")) {
+    std::size_t style = 0;
+    for (const XMLElement* cell : parts_of(*list, "xf")) {
+      if (formats.count(xml_attribute(*cell, "numFmtId")) > 0) styles.insert(std::to_string(style));
+      ++style;
+    }
+  }
+  return styles;
+}
+
 /// The fields of a sheet.
 class Sheet {
  public:
-  Sheet(const XmlFile& file, const std::vector<std::string>& texts) : file_(file), texts_(texts) {
+  /// Numbers of cells with one of the styles `times` are read as seconds.
+  Sheet(const XmlFile& file, const std::vector<std::string>& texts,
+        const std::set<std::string>& times)
+      : file_(file), texts_(texts), times_(times) {
     for (const XMLElement* data : parts_of(file.root(), "sheetData"))
       for (const XMLElement* row : parts_of(*data, "row")) read_row(*row);
   }
@@ -133,6 +162,7 @@ class Sheet {
  private:
   const XmlFile& file_;
   const std::vector<std::string>& texts_;
+  const std::set<std::string>& times_;
   std::vector<std::pair<std::size_t, std::vector<std::string>>> rows_;  // by number from 0
   std::size_t columns_ = 0, next_row_ = 0;
 
@@ -189,6 +219,11 @@ class Sheet {
     const auto values = parts_of(cell, "v");
     const std::string value = values.empty() ? "" : xml_text(values[0]);
     if (type == "e") return "NA";  // of a formula, such as #DIV/0!
+    constexpr double kSecondsPerDay = 86400;
+    double days = 0;
+    if ((type.empty() || type == "n") && times_.count(xml_attribute(cell, "s")) > 0 &&
+        parse_number(value, days))
+      return format_number(std::round(days * kSecondsPerDay * 1e6) / 1e6);
     if (type != "s" || value.empty()) return value;
     long long index = -1;
     if (!parse_integer(value, index) || index < 0 || index >= static_cast<long long>(texts_.size()))
@@ -203,6 +238,7 @@ class Sheet {
 ForeignTable table_from_workbook(const std::string& path, const std::string& sheet) {
   const Package package(path);
   const std::vector<std::string> texts = shared_texts(package);
+  const std::set<std::string> times = styles_of_times(package);
   std::vector<std::string> names;
   std::string csv;
   for (const auto& [name, part] : sheets_of(package)) {
@@ -211,7 +247,7 @@ ForeignTable table_from_workbook(const std::string& path, const std::string& she
       continue;
     }
     const XmlFile file = package.read(part);
-    const Sheet fields(file, texts);
+    const Sheet fields(file, texts, times);
     if (fields.empty() && sheet.empty()) continue;
     csv = fields.csv();
     if (!sheet.empty()) return {csv};

@@ -327,6 +327,18 @@ std::unique_ptr<SQLite::Database> open_foreign_database(const std::string& path,
   });
 }
 
+namespace {
+
+/// How a table becomes a result file.
+std::string table_hint(const std::string& path, const DatabaseKind& kind) {
+  if (!ends_with(kind.name, "(.results)")) return "";
+  for (const char* ending : {".csv", ".tsv", ".txt", ".json", ".xlsx"})
+    if (ends_with(path, ending)) return ", which slalom-analyze import makes of a table";
+  return "";
+}
+
+}  // namespace
+
 std::unique_ptr<SQLite::Database> open_database(const std::string& path, const DatabaseKind& kind) {
   require_regular_files(path, kind.name);
   const bool packed = is_bundle(path);
@@ -339,7 +351,8 @@ std::unique_ptr<SQLite::Database> open_database(const std::string& path, const D
       expect_kind(*database, path, kind);
       distrust(*database, path);
     } catch (const SQLite::Exception&) {
-      throw file_error(path, "is damaged or not an SQLite file", kind.name);
+      throw file_error(path, "is damaged or not an SQLite file",
+                       kind.name + table_hint(path, kind));
     }
     return database;
   });

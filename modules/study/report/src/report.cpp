@@ -50,11 +50,14 @@ std::vector<BinSpec> default_rows(const ResultTable& runs) {
 }
 
 /// The three metrics of "Advances in the Framework for Automatic Evaluation of Obstacle Avoidance
-/// Methods", as far as the results contain them.
+/// Methods", as far as the results contain them;
+/// else the first one.
 std::vector<std::string> default_columns(const ResultTable& runs) {
-  std::vector<std::string> columns = {"success"};
-  for (const char* id : {"optimality", "safety"})
+  std::vector<std::string> columns;
+  for (const char* id : {"success", "optimality", "safety"})
     if (find_metric(runs, id) != nullptr) columns.emplace_back(id);
+  if (columns.empty())
+    columns.push_back(runs.metrics.empty() ? "success" : runs.metrics[0].info().id);
   return columns;
 }
 

@@ -31,12 +31,13 @@ class WorkbookTable : public testing::Test {
  protected:
   /// A workbook with the sheets Notes and Runs.
   void write(const std::string& runs, const std::string& notes = kEmpty,
-             const std::string& texts = "") {
+             const std::string& texts = "", const std::string& styles = "") {
     std::map<std::string, std::string> parts = {{"xl/workbook.xml", kWorkbook},
                                                 {"xl/_rels/workbook.xml.rels", kRelations},
                                                 {"xl/worksheets/notes.xml", notes},
                                                 {"xl/worksheets/runs.xml", runs}};
     if (!texts.empty()) parts["xl/sharedStrings.xml"] = texts;
+    if (!styles.empty()) parts["xl/styles.xml"] = styles;
     const zipFile zip = zipOpen64(path_.c_str(), APPEND_STATUS_CREATE);
     for (const auto& [name, text] : parts) {
       zipOpenNewFileInZip64(zip, name.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
@@ -71,6 +72,20 @@ TEST_F(WorkbookTable, HasTheFieldsOfTheOnlySheetWithCellsOnTheLinesOfTheirRows) 
         "<sst><si><r><t>ti</t></r><r><t>me</t></r><rPh><t>x</t></rPh></si><si><t>method</t></si>"
         "<si><t xml:space='preserve'>two\nlines &amp; more</t></si></sst>");
   EXPECT_EQ(read(), "\n,method,time,\n\n,\"nd, new\",1.5,\n,vff,NA,\n,1,,two lines & more\n");
+}
+
+TEST_F(WorkbookTable, CellsThatShowTimesAreSeconds) {
+  const std::string styles =
+      "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='[h]:mm:ss'/>"
+      "<numFmt numFmtId='165' formatCode='yyyy-mm-dd hh:mm'/></numFmts>"
+      "<cellXfs><xf numFmtId='0'/><xf numFmtId='164'/><xf numFmtId='45'/><xf numFmtId='165'/>"
+      "</cellXfs></styleSheet>";
+  const std::string row =
+      "<row><c s='0'><v>0.5</v></c><c s='1'><v>0.5</v></c>"
+      "<c s='2'><v>1.1574074074074E-4</v></c><c s='3'><v>0.5</v></c>"
+      "<c s='1' t='str'><v>time</v></c></row>";
+  write(sheet(row), kEmpty, "", styles);
+  EXPECT_EQ(read(), "0.5,43200,10,0.5,time\n");
 }
 
 TEST_F(WorkbookTable, OfSeveralSheetsIsNamed) {
@@ -144,6 +159,13 @@ TEST(JsonTable, OfColumnsIsThatOfTheMethodAndScenarioInItsName) {
             "mpc,,3,goal_reached\n");
   EXPECT_TRUE(throws_error(ErrorKind::File, "t: teb", {"'b' has 1 value and 'a' 2", "same length"},
                            [] { table_from_json(R"({"teb": {"a": [1, 2], "b": [1]}})", "t"); }));
+}
+
+TEST(JsonTable, AnObjectHasEachKeyOnce) {
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t", {"two values of 'success'", "each key once"}, [] {
+    table_from_json(R"([{"a": {"success": 1}, "success": 1, "success": 0}])", "t");
+  }));
+  EXPECT_NO_THROW(table_from_json(R"([{"a": {"x": 1}, "b": {"x": 1}, "x": 2}, {"x": 3}])", "t"));
 }
 
 TEST(JsonTable, OfAnyDepthIsReadWithoutRecursionToItsEnd) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/analysis/analysis_request.h>
 #include <slalom/analysis/analysis_section.h>
+#include <slalom/analysis/csv_columns.h>
 #include <slalom/core/error.h>
 #include <slalom/core/ini_file.h>
 #include <slalom/core/text.h>
@@ -28,6 +29,18 @@ std::vector<std::string> distinct_ids(const std::string& text) {
   return ids;
 }
 
+/// The only column whose name is that of a time.
+std::string time_column(const ResultTable& results) {
+  std::vector<std::string> ids;
+  for (const ValueColumn& column : results.metrics)
+    if (!column.wall_clock && is_time_name(column.info().id)) ids.push_back(column.info().id);
+  if (ids.size() == 1) return ids[0];
+  throw usage_error("completion",
+                    ids.empty() ? results.source + " has no column that is called a time"
+                                : join(ids, ", ") + " may all be the time",
+                    "--metric COLUMN of times");
+}
+
 std::vector<std::string> metrics_of(const AnalysisRequest& request, const AnalysisSection& defaults,
                                     const Interpreter& interpreter, const ResultTable& results) {
   if (!request.metrics.empty()) return distinct_ids(request.metrics);
@@ -38,6 +51,7 @@ std::vector<std::string> metrics_of(const AnalysisRequest& request, const Analys
   for (const std::string& id : interpreter.default_metrics) {
     if (find_metric(results, id) != nullptr) metrics.push_back(id);
   }
+  if (metrics.empty() && interpreter.id == "completion") metrics.push_back(time_column(results));
   if (metrics.empty()) metrics.push_back(results.metrics.front().info().id);
   return metrics;
 }
@@ -57,10 +71,11 @@ std::vector<double> values_of(const std::string& text) {
 void require_number_of_results(const Interpreter& interpreter, std::size_t results) {
   const std::size_t min = interpreter.min_results, max = interpreter.max_results;
   if (results >= min && results <= max) return;
-  throw usage_error(
-      interpreter.id, std::to_string(results) + " files",
-      max == 1 ? "one result file"
-               : "from " + std::to_string(min) + " to " + std::to_string(max) + " result files");
+  const std::string range =
+      max > 100 ? std::to_string(min) + " result files or more"
+                : std::to_string(min) + " or " + std::to_string(max) + " result files";
+  throw usage_error(interpreter.id, count_text(results, "file"),
+                    max == 1 ? "one result file" : range);
 }
 
 std::optional<std::vector<std::string>> requested_columns(const AnalysisRequest& request,

@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <tuple>
 
 namespace slalom {
 namespace {
@@ -33,20 +35,23 @@ bool is_missing(const std::string& field) {
   return words.count(lower_case(field)) > 0;
 }
 
-/// 1 or 0 for a word that means it.
-std::optional<double> truth_of(const std::string& field) {
+/// 1 or 0 for a word that means it; letters do in columns of ends only.
+std::optional<double> truth_of(const std::string& field, bool is_end) {
+  static const std::vector<std::string> yes = {"true", "yes", "on", "t", "y"},
+                                        no = {"false", "no", "off", "f", "n"};
   const std::string word = lower_case(field);
-  if (word == "true" || word == "yes") return 1;
-  if (word == "false" || word == "no") return 0;
+  if (word.size() == 1 && !is_end) return std::nullopt;
+  if (contains(yes, word)) return 1;
+  if (contains(no, word)) return 0;
   return std::nullopt;
 }
 
 /// The number, also with a decimal comma where commas do not separate fields, and of "85%".
-bool parse_field(const std::string& field, char separator, double& number) {
+bool parse_field(const std::string& field, char separator, bool is_end, double& number) {
   if (parse_number(field, number)) return true;
-  if (const auto truth = truth_of(field)) return number = *truth, true;
+  if (const auto truth = truth_of(field, is_end)) return number = *truth, true;
   if (!field.empty() && field.back() == '%') {
-    const bool valid = parse_field(field.substr(0, field.size() - 1), separator, number);
+    const bool valid = parse_field(field.substr(0, field.size() - 1), separator, false, number);
     number /= 100;
     return valid;
   }
@@ -80,9 +85,10 @@ struct KeyColumn {
   std::vector<const char*> aliases;  ///< in lower case
 };
 
-/// The name of a column in lower case, with "_" between words.
+/// The name of a column in lower case, with "_" between words, and without the objects of JSON in
+/// which it stands: "result.success".
 std::string plain_name(const std::string& id) {
-  std::string name = lower_case(id);
+  std::string name = lower_case(id.substr(id.rfind('.') + 1));
   for (char& c : name) c = c == ' ' || c == '-' ? '_' : c;
   return name;
 }
@@ -99,8 +105,10 @@ class KeyColumns {
     repetition = find({"repetition", {"trial", "run", "episode"}}, options.repetition,
                       [](const auto& fields) { return !first_text(fields); });
     const OutcomeWords words(options.success_words);
-    outcome = find({"outcome", {"result", "status", "state", "done_reason"}}, options.outcome,
-                   [&](const auto& fields) {
+    outcome = find({"outcome",
+                    {"result", "status", "state", "end_state", "reason", "done_reason",
+                     "end_reason", "termination", "termination_reason", "ended_by", "success"}},
+                   options.outcome, [&](const auto& fields) {
                      return std::any_of(fields.begin(), fields.end(), [&](const std::string& word) {
                        return words.known(word).has_value();
                      });
@@ -235,6 +243,13 @@ std::uint32_t repetition_of(const std::string& field) {
   return static_cast<std::uint32_t>(number > 0 ? std::min(number, 4e9) : 0.0);
 }
 
+/// Merged cells and rows of totals have no key.
+void require_key(const CsvTable& csv, const std::vector<std::string>* fields, std::size_t row,
+                 const std::string& name) {
+  if (fields != nullptr && trim((*fields)[row]).empty())
+    throw file_error(csv.where(row), "the " + name + " is empty", "a name in each row");
+}
+
 void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
               const OutcomeFields& outcome_of) {
   const auto* hashes = keys.hash ? keys.hash : keys.scenario;
@@ -246,7 +261,10 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
   NameIndex scenario_index(columns.scenario_hashes), method_index(columns.methods),
       outcome_index(columns.outcomes);
   RowCounts counts;
+  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> runs;
   for (std::size_t row = 0; row < csv.rows(); ++row) {
+    require_key(csv, keys.method, row, "method");
+    require_key(csv, hashes, row, "scenario");
     const std::string own = "row" + std::to_string(row + 1);
     columns.scenario.push_back(
         scenario_index.index_of(hashes ? (*hashes)[row] : own + " of " + csv.name()));
@@ -258,6 +276,12 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
     columns.repetition.push_back(keys.repetition
                                      ? repetition_of((*keys.repetition)[row])
                                      : counts.next(columns.scenario.back(), columns.method.back()));
+    if (!runs.emplace(columns.scenario[row], columns.method[row], columns.repetition[row]).second)
+      throw file_error(csv.where(row),
+                       "two rows of repetition " + std::to_string(columns.repetition[row]) +
+                           " of " + shown(columns.methods[columns.method[row]]) + " in " +
+                           shown(columns.scenario_names[columns.scenario[row]]),
+                       "each once; another column with --repetition-column NAME");
   }
   expect_names(columns);
   sort_names(columns);
@@ -265,6 +289,13 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
 
 /// A larger absolute value stands for a missing one: the largest float or double.
 constexpr double kMaxNumber = 3.4e38;
+
+/// Whether a number is too large for one.
+bool overflows(const std::string& field) {
+  char* end = nullptr;
+  const double number = std::strtod(field.c_str(), &end);
+  return *end == '\0' && std::isinf(number) && field.find_first_of("0123456789") == 0;
+}
 
 /// The columns of numbers as metrics; the others with the reason.
 class NumberColumns {
@@ -308,10 +339,10 @@ class NumberColumns {
   bool has_text_ = false, has_decimal_commas_ = false;
   std::vector<std::string> percent_, truth_, too_large_;  ///< columns
 
-  /// "Success" is the metric success, unless that is a column of its own.
-  std::string id_of(const std::string& name) const {
+  /// "Success" is the metric success.
+  static std::string id_of(const std::string& name) {
     const std::string success = success_info().id;
-    return lower_case(name) == success && !contains(csv_.header(), success) ? success : name;
+    return plain_name(name) == success ? success : name;
   }
 
   std::string text_reason(const std::vector<std::string>& fields) const {
@@ -321,6 +352,7 @@ class NumberColumns {
   /// False if there are no numbers, or a field is text: text_row_.
   bool add_numbers(const std::string& id, const std::vector<std::string>& fields) {
     std::vector<Value> values;
+    const bool is_end = is_end_name(id);
     bool any = false, commas = false, percent = false, truth = false, too_large = false;
     for (text_row_ = 0; text_row_ < fields.size(); ++text_row_) {
       const std::string& field = fields[text_row_];
@@ -329,16 +361,22 @@ class NumberColumns {
         values.push_back(Value::na(field.empty() ? "empty" : field));
         continue;
       }
-      if (!parse_field(field, csv_.separator(text_row_), number)) return false;
-      const bool is_sentinel = std::abs(number) > kMaxNumber;
+      const bool is_number = parse_field(field, csv_.separator(text_row_), is_end, number);
+      if (!is_number && !overflows(field)) return false;
+      const bool is_sentinel = !is_number || std::abs(number) > kMaxNumber;
       values.push_back(is_sentinel ? Value::na(field) : Value::of(number));
       too_large = too_large || is_sentinel;
       any = true;
       commas = commas || field.find(',') != std::string::npos;
       percent = percent || field.back() == '%';
-      truth = truth || truth_of(field);
+      truth = truth || truth_of(field, is_end);
     }
     if (!any) return false;
+    if (!percent && is_percent_of_ends(id, values)) {
+      percent = true;
+      for (Value& value : values)
+        if (!value.is_na()) value = Value::of(value.number() / 100);
+    }
     if (percent) percent_.push_back(id);
     if (truth) truth_.push_back(id);
     if (too_large) too_large_.push_back(id);
@@ -350,6 +388,14 @@ class NumberColumns {
   }
 
   static bool is_bit(double number) { return number == 0 || number == 1; }
+
+  /// "success [%]" of 0 and 100.
+  static bool is_percent_of_ends(const std::string& id, const std::vector<Value>& values) {
+    return id.find('%') != std::string::npos &&
+           first_refused(values, [](double number) { return number == 0 || number == 100; }) ==
+               values.size() &&
+           first_refused(values, is_bit) < values.size();
+  }
 
   /// The first row with a number that `accept` refuses, or the number of rows.
   template <typename Accept>
@@ -409,7 +455,9 @@ class NumberColumns {
       require(info.id, values,
               (known.is_rate() ? "0 or 1" : "a number " + known.range.text()) + ", or --range " +
                   info.id + "=LOW..HIGH for a quantity that is not Slalom's",
-              [&](double number) { return known.range.contains(number); });
+              [&](double number) {
+                return known.is_rate() ? is_bit(number) : known.range.contains(number);
+              });
       if (!known.is_rate()) info.kind = known.kind;
       info.range = known.range;
     }
@@ -499,19 +547,20 @@ ResultTable columns_of(const CsvTable& csv, const CsvColumnOptions& options) {
   for (std::size_t i = 0; i < csv.header().size(); ++i)
     if (!keys.is_key(i)) numbers.add(i);
   std::vector<std::string> taken = keys.renamed();
-  for (const std::string& end : complete_outcomes(columns, csv, keys.outcome != nullptr))
+  for (const std::string& end : complete_outcomes(columns, csv, keys.outcome != nullptr, options))
     taken.push_back(end);
   if (columns.metrics.empty())
     throw file_error(csv.name(), "no numeric columns: " + unread_text(columns),
                      "a header line and rows of numbers");
   require_columns(columns, "--kind", keys_of(options.kinds));
   require_columns(columns, "--range", keys_of(options.ranges));
+  require_columns(columns, "--conditional", options.conditional);
   require_columns(columns, "--unconditional", options.unconditional);
   std::vector<std::string> notes;
   if (csv.has_blanks()) notes.emplace_back("separated by blanks");
   if (const std::string note = outcomes.note(); !note.empty()) notes.push_back(note);
-  if (const auto ids = make_conditional(columns, options); !ids.empty())
-    notes.push_back("not available in runs that failed: " + join(ids, ", ") + " (--unconditional)");
+  for (std::string& note : make_conditional(columns, csv, keys.hash != nullptr, options))
+    notes.push_back(std::move(note));
   add_notes(columns, keys, numbers, taken, std::move(notes));
   return columns;
 }

@@ -82,9 +82,13 @@ char separator_of(const std::string& text, std::size_t columns) {
   return most == 1 && has_columns_of_words(text) ? kBlanks : best;
 }
 
-/// The text from the header line on, without empty lines and the mark of a comment before it.
+/// The text from the header line on, without empty lines, Excel's line "sep=;" and the mark of a
+/// comment before it.
 std::string from_header(const std::string& text) {
   std::size_t begin = text.find_first_not_of("\r\n");
+  if (begin < text.size() && text.compare(begin, 4, "sep=") == 0 && begin + 6 <= text.size() &&
+      (text[begin + 5] == '\n' || text[begin + 5] == '\r'))
+    begin = text.find_first_not_of("\r\n", begin + 5);
   if (begin < text.size() && text[begin] == '#') begin = text.find_first_not_of("# \t", begin);
   return text.substr(std::min(begin, text.size()));
 }

@@ -2,6 +2,7 @@
 #include "acceptance.h"
 
 #include <slalom/analysis/cell_text.h>
+#include <slalom/analysis/csv_columns.h>
 #include <slalom/core/text.h>
 #include <slalom/statistics/distributions.h>
 
@@ -75,12 +76,18 @@ std::string rate_text(std::size_t events, double exposure, const std::string& un
          format_fixed(high, 2) + "]";
 }
 
-/// The runs of a method with a known outcome.
+/// The runs of a method with a known outcome; without success in the table those of which a column
+/// says whether they collided.
 std::vector<std::size_t> known_runs(const ResultTable& table, std::size_t method) {
+  const ValueColumn* collided =
+      find_metric(table, "success") == nullptr ? collision_column(table) : nullptr;
   std::vector<std::size_t> runs;
-  for (std::size_t run = 0; run < table.size(); ++run)
-    if (table.method[run] == method && !success_of(table.outcomes[table.outcome[run]]).is_na())
-      runs.push_back(run);
+  for (std::size_t run = 0; run < table.size(); ++run) {
+    const bool is_known = collided != nullptr
+                              ? !collided->is_na(run)
+                              : !success_of(table.outcomes[table.outcome[run]]).is_na();
+    if (table.method[run] == method && is_known) runs.push_back(run);
+  }
   return runs;
 }
 
@@ -90,8 +97,12 @@ std::vector<std::string> sentences_of(const ResultTable& table, std::size_t meth
   if (runs.empty()) return {};
   std::map<std::string, std::size_t> outcomes;
   for (const std::size_t run : runs) ++outcomes[table.outcomes[table.outcome[run]]];
-  std::vector<std::string> sentences = {
-      reliability_text(runs.size() - outcomes["success"], runs.size(), "with success", confidence)};
+  std::vector<std::string> sentences;
+  if (find_metric(table, "success") != nullptr)
+    sentences.push_back(reliability_text(runs.size() - outcomes["success"], runs.size(),
+                                         "with success", confidence));
+  else if (collision_column(table) == nullptr)
+    return {};
   const bool collisions_known =
       outcomes["failure"] == 0 && contains(table.outcomes, std::string("collision"));
   if (!collisions_known) return sentences;

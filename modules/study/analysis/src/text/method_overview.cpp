@@ -141,7 +141,8 @@ std::vector<std::string> difference_clauses(const std::string& method,
   return clauses;
 }
 
-/// Methods whose values equal those of `method` in every metric that was compared.
+/// Methods whose values equal those of `method` in every metric that was compared, in all of their
+/// runs.
 std::string identical_clause(const std::string& method,
                              const std::vector<PairedComparison>& family) {
   std::map<std::string, bool> identical;
@@ -149,7 +150,8 @@ std::string identical_clause(const std::string& method,
     const std::string* other = other_side(c, method);
     if (other == nullptr) continue;
     const auto known = identical.try_emplace(*other, true).first;
-    known->second = known->second && c.verdict == Verdict::Identical;
+    known->second = known->second && c.verdict == Verdict::Identical && c.unpaired == 0 &&
+                    (c.column.info.id != kSuccess || c.without_value == 0);
   }
   std::vector<std::string> names;
   for (const auto& [name, is_identical] : identical)

@@ -95,7 +95,7 @@ TEST(AnalysisRequest, MalformedValuesAndNumbersOfFilesAreRejected) {
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--values", {"'x'"}, [&] {
     make_query(request, interpreter_named("robustness"), one_scenario());
   }));
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "compare", {"3 files", "from 1 to 2 result files"},
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, "compare", {"3 files", "1 or 2 result files"},
                            [] { require_number_of_results(interpreter_named("compare"), 3); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "table", {"0 files", "one result file"},
                            [] { require_number_of_results(interpreter_named("table"), 0); }));

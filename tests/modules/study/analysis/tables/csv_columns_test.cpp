@@ -162,9 +162,9 @@ TEST(CsvColumns, KeysHaveOtherNamesElsewhere) {
   EXPECT_EQ(table.repetition, (std::vector<std::uint32_t>{1, 1}));
   EXPECT_EQ(find_metric(table, "success")->number(1), 0);
   EXPECT_EQ(notes_of(table),
-            "taken: world as scenario, Local Planner as method, trial as repetition, result as "
-            "outcome");
-  EXPECT_EQ(notes_of(columns_from_csv("method,scenario,time\na,w,1\n", "t.csv")), "");
+            "counted in runs that failed, too: cost (--conditional); taken: world as scenario, "
+            "Local Planner as method, trial as repetition, result as outcome");
+  EXPECT_EQ(notes_of(columns_from_csv("method,scenario,cost\na,w,1\n", "t.csv")), "");
 }
 
 TEST(CsvColumns, OutcomesStandInColumnsOfOtherNames) {
@@ -320,6 +320,12 @@ TEST(CsvColumns, MissingValuesKeepTheirWordAsTheReason) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(time.reason(i + 1), reasons[i]);
 }
 
+std::vector<std::string> outcomes_of(const ResultTable& table) {
+  std::vector<std::string> outcomes;
+  for (const std::uint32_t index : table.outcome) outcomes.push_back(table.outcomes[index]);
+  return outcomes;
+}
+
 TEST(CsvColumns, TruthAndPercentAreNumbers) {
   const ResultTable table =
       columns_from_csv("Success,spl\nTrue,85%\nFALSE,0.5\nyes,100 %\n", "t.csv");
@@ -331,7 +337,16 @@ TEST(CsvColumns, TruthAndPercentAreNumbers) {
   EXPECT_EQ(success.number(2), 1);
   EXPECT_EQ(find_metric(table, "spl")->number(0), 0.85);
   EXPECT_EQ(find_metric(table, "spl")->number(2), 1);
-  EXPECT_EQ(notes_of(table), "percent as fractions of 1: spl; words as 1 and 0: success");
+  EXPECT_EQ(notes_of(table),
+            "counted in runs that failed, too: spl (--conditional); percent as fractions of 1: "
+            "spl; words as 1 and 0: success");
+  const ResultTable ends =
+      columns_from_csv("success [%],goal reached,flag\n100,y,f\n0,N,t\n", "t.csv");
+  EXPECT_EQ(outcomes_of(ends), (std::vector<std::string>{"success", "failure"}));
+  EXPECT_EQ(find_metric(ends, "goal reached")->number(0), 1);
+  EXPECT_EQ(find_metric(ends, "flag"), nullptr) << "letters of a column that is no end";
+  EXPECT_EQ(find_metric(columns_from_csv("load [%]\n100\n0\n50\n", "t.csv"), "load [%]")->number(0),
+            100);
 }
 
 TEST(CsvColumns, AColumnWithTextIsMissedWithItsLine) {
@@ -398,12 +413,14 @@ TEST(CsvColumns, TheLargestNumbersStandForMissingOnes) {
   EXPECT_TRUE(cost.is_na(1));
   EXPECT_EQ(cost.number(2), 1e37);
   EXPECT_EQ(notes_of(table), "numbers from 3.4e38 as not available: cost");
+  EXPECT_EQ(find_metric(columns_from_csv("cost\n1e400\n2\n", "t.csv"), "cost")->reason(0), "1e400");
 }
 
-std::vector<std::string> outcomes_of(const ResultTable& table) {
-  std::vector<std::string> outcomes;
-  for (const std::uint32_t index : table.outcome) outcomes.push_back(table.outcomes[index]);
-  return outcomes;
+TEST(CsvColumns, ALineOfExcelWithTheSeparatorIsNotTheHeader) {
+  const ResultTable table = columns_from_csv("sep=;\r\nmethod;cost\r\na;1,5\r\n", "t.csv");
+  EXPECT_EQ(find_metric(table, "cost")->number(0), 1.5);
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"1 field"},
+                           [] { columns_from_csv("sep=,\nmethod,cost\na\n", "t.csv"); }));
 }
 
 TEST(CsvColumns, ColumnsOfEndsAreOutcomes) {
@@ -419,12 +436,49 @@ TEST(CsvColumns, ColumnsOfEndsAreOutcomes) {
   EXPECT_EQ(find_metric(table, "timed_out")->number(2), 1) << "still a rate";
   EXPECT_EQ(outcomes_of(columns_from_csv("Goal Reached,crash\nyes,0\nno,0\n", "t.csv")),
             (std::vector<std::string>{"success", "failure"}));
+  for (const char* name : {"completed", "finished", "is_success", "success_rate", "success (0/1)"})
+    EXPECT_EQ(outcomes_of(columns_from_csv(std::string(name) + ",a\n1,1\n0,1\n", "t.csv")),
+              (std::vector<std::string>{"success", "failure"}))
+        << name;
+  for (const char* name : {"crashed", "dnf", "did_not_finish", "unsuccessful", "failed"})
+    EXPECT_EQ(outcomes_of(columns_from_csv(std::string(name) + ",a\n1,1\n0,1\n", "t.csv")),
+              (std::vector<std::string>{"failure", kUnknownOutcome}))
+        << name;
+  EXPECT_EQ(outcomes_of(columns_from_csv("success,a\nSuccess,1\nCollision,2\n", "t.csv")),
+            (std::vector<std::string>{"success", "collision"}));
+  for (const char* name : {"end_state", "Termination", "ended by", "reason"})
+    EXPECT_EQ(
+        outcomes_of(columns_from_csv(std::string(name) + ",a\nreached,1\ntimeout,2\n", "t.csv")),
+        (std::vector<std::string>{"success", "timeout"}))
+        << name;
+}
+
+TEST(CsvColumns, ObjectsOfJsonBeforeANameDoNotCount) {
+  const ResultTable table = columns_from_csv(
+      "run.planner,run.world,result.success,result.collided,result.time\na,w,1,0,5\na,w,0,1,3\n",
+      "t.csv");
+  EXPECT_EQ(table.methods, (std::vector<std::string>{"a"}));
+  EXPECT_EQ(outcomes_of(table), (std::vector<std::string>{"success", "collision"}));
+  EXPECT_EQ(find_metric(table, "success")->number(0), 1);
+  EXPECT_TRUE(find_metric(table, "result.time")->is_na(1));
+}
+
+TEST(CsvColumns, CountsAreEndsUnlessARunSucceedsWithThem) {
+  for (const char* text : {"collisions,a\n0,1\n2,1\n", "num_collisions,a\n0,1\n1,1\n"})
+    EXPECT_EQ(outcomes_of(columns_from_csv(text, "t.csv")),
+              (std::vector<std::string>{kUnknownOutcome, "collision"}))
+        << text;
+  EXPECT_EQ(outcomes_of(columns_from_csv("success,collisions\n1,0\n0,3\n0,0\n", "t.csv")),
+            (std::vector<std::string>{"success", "collision", "failure"}));
+  EXPECT_EQ(outcomes_of(columns_from_csv("success,collisions\n1,2\n0,3\n", "t.csv")),
+            (std::vector<std::string>{"success", "failure"}));
+  EXPECT_EQ(outcomes_of(columns_from_csv("collisions,a\n0.5,1\n2,1\n", "t.csv")),
+            std::vector<std::string>(2, kUnknownOutcome));
 }
 
 TEST(CsvColumns, OtherNamesAndNumbersAreNoEnds) {
   for (const char* text :
-       {"collisions,a\n0,1\n2,1\n", "no_collision,a\n1,1\n0,1\n", "num_collisions,a\n1,1\n0,1\n",
-        "time_to_collision,a\n1,1\n0,1\n", "contacts,a\n1,1\n0,1\n"})
+       {"no_collision,a\n1,1\n0,1\n", "time_to_collision,a\n1,1\n0,1\n", "contacts,a\n1,1\n0,1\n"})
     EXPECT_EQ(outcomes_of(columns_from_csv(text, "t.csv")),
               std::vector<std::string>(2, kUnknownOutcome))
         << text;
@@ -467,7 +521,10 @@ TEST(CsvColumns, TimesAndLengthsOfFailedRunsAreNotAvailable) {
   EXPECT_EQ(time.number(0), 9);
   EXPECT_EQ(time.reason(1), "outcome: collision");
   EXPECT_EQ(time.reason(2), "outcome: failure");
-  EXPECT_EQ(time.number(3), 7) << "its end is not known";
+  EXPECT_EQ(time.reason(3), "outcome: not recorded") << "it may have failed";
+  const ResultTable unsolvable =
+      columns_from_csv("outcome,time\nsuccess,9\nunsolvable_scenario,3\n", "t.csv");
+  EXPECT_EQ(find_metric(unsolvable, "time")->reason(1), "outcome: unsolvable_scenario");
   EXPECT_EQ(find_unconditional(table, "time")->number(1), 4);
   for (const char* id : {"spl", "clearance", "planning_time", "distance_to_goal"})
     for (std::size_t run = 0; run < 4; ++run)
@@ -482,14 +539,68 @@ bool is_conditional(const std::string& name) {
 }
 
 TEST(CsvColumns, NamesOfMeasuresUpToTheEndOfARunAreConditional) {
-  for (const char* name : {"Time (s)", "travelTime", "duration", "elapsed [s]", "arrival_s",
-                           "path length", "distance", "distance_travelled", "avg_speed",
-                           "Smoothness", "total_jerk", "optimality", "time_to_goal"})
+  for (const char* name : {"Time (s)",     "travelTime",  "duration",   "elapsed [s]",
+                           "arrival_s",    "path length", "distance",   "distance_travelled",
+                           "avg_speed",    "Smoothness",  "total_jerk", "optimality",
+                           "time_to_goal", "t",           "T_total",    "TTG",
+                           "nav_ms",       "makespan",    "time (min)", "duration_min",
+                           "path_len",     "end_time",    "frames",     "path_m",
+                           "path_length",  "Path_Length", "mean_speed", "Mean Speed"})
     EXPECT_TRUE(is_conditional(name)) << name;
-  for (const char* name :
-       {"cost", "min_distance", "distance to goal", "max_time", "cpu_time", "speed_limit", "width",
-        "mean_speed", "optimal_length", "collision_time", "scenario.shortest_length"})
+  for (const char* name : {"cost", "min_distance", "distance to goal", "max_time", "cpu_time",
+                           "speed_limit", "width", "clearance_min", "path_clearance_m",
+                           "optimal_length", "collision_time", "scenario.shortest_length"})
     EXPECT_FALSE(is_conditional(name)) << name;
+}
+
+TEST(CsvColumns, IdsOfAnExportMeanWhatTheyDoInSlalom) {
+  const std::string text = "success,mean_speed,time_to_goal\n1,0.9,5\n0,0.3,4\n";
+  EXPECT_TRUE(find_metric(columns_from_csv(text, "t.csv", with_known()), "mean_speed")->is_na(1));
+  const ResultTable exported =
+      columns_from_csv("scenario_hash,success,mean_speed,time_to_goal\na1,1,0.9,5\na2,0,0.3,4\n",
+                       "t.csv", with_known());
+  EXPECT_EQ(find_metric(exported, "mean_speed")->number(1), 0.3);
+  EXPECT_TRUE(find_metric(exported, "time_to_goal")->is_na(1));
+}
+
+TEST(CsvColumns, ARowHasAMethodAScenarioAndARepetitionOfItsOwn) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"method,success\na,1\n,0\n", "the method is empty"},
+      {"world,success\na,1\n,0\n", "the scenario is empty"},
+      {"method,world,trial,success\na,w,7,1\na,w,7,0\n", "two rows of repetition 7 of 'a' in 'w'"}};
+  for (const auto& [text, message] : cases)
+    EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {message}, [text = text] {
+      columns_from_csv(text, "t.csv");
+    })) << text;
+}
+
+TEST(CsvColumns, ValuesThatARunOfItsEndCannotHaveAreRefused) {
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"'time' is -1", "from 0, or NA"},
+                           [] { columns_from_csv("success,time\n1,5\n1,-1\n0,-1\n", "t.csv"); }));
+  EXPECT_NO_THROW(columns_from_csv("success,time\n1,5\n0,-1\n", "t.csv"));
+  CsvColumnOptions options;
+  options.kinds = parse_column_kinds("score=score");
+  EXPECT_TRUE(throws_error(
+      ErrorKind::File, "t.csv:3", {"the outcome is failure, but 'score' is 0.9", "--kind"},
+      [&] { columns_from_csv("success,score\n1,0.5\n0,0.9\n", "t.csv", options); }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3", {"'success' is 0.5", "expected 0 or 1"}, [] {
+    columns_from_csv("method,success\na,1\nmean,0.5\n", "t.csv", with_known());
+  }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:1", {"two columns of success"},
+                           [] { columns_from_csv("success,Success\n1,0\n", "t.csv"); }));
+}
+
+TEST(CsvColumns, WhatCountsInFailedRunsIsSaid) {
+  EXPECT_TRUE(mentions(notes_of(columns_from_csv("won,time,cost\n1,5,2\n0,3,4\n", "t.csv")),
+                       {"how runs ended is not known, so that failures count in time"}));
+  const std::string text = "success,collisions,cost,width\n1,0,2,1\n0,1,4,1\n";
+  EXPECT_TRUE(mentions(notes_of(columns_from_csv(text, "t.csv")),
+                       {"counted in runs that failed, too: cost (--conditional)"}));
+  CsvColumnOptions options;
+  options.conditional = {"cost"};
+  const ResultTable table = columns_from_csv(text, "t.csv", options);
+  EXPECT_TRUE(find_metric(table, "cost")->is_na(1));
+  EXPECT_TRUE(mentions(notes_of(table), {"not available in runs that failed: cost"}));
 }
 
 TEST(CsvColumns, APropertyOfScenariosIsNotConditional) {

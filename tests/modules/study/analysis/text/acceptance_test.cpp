@@ -77,6 +77,12 @@ TEST(Acceptance, SaysNothingThatTheTableDoesNotTell) {
   EXPECT_TRUE(of("method,time\na,1\n").empty()) << "no outcome";
   // The kind of the failure is unknown: it may be a collision.
   EXPECT_EQ(of("method,success,path_length\na,1,5\na,0,5\n").size(), 1u);
+  EXPECT_TRUE(of("method,failed,time\na,1,5\na,0,6\n").empty()) << "no success, no collision";
+  // Runs without a collision may have failed otherwise, so that no sentence is about success.
+  const auto collisions = of("method,collided,time\na,1,30\na,0,60\na,0,90\na,,5\n");
+  ASSERT_EQ(collisions.size(), 2u);
+  EXPECT_EQ(collisions[0].substr(0, 35), "a: 2 of 3 runs without collision: a");
+  EXPECT_EQ(collisions[1].substr(0, 42), "a: 1 collision in 0.050 h: 20.00 per h [0.");
   // No length of a run that failed.
   const auto partly = of("method,outcome,path_length\na,success,5\na,collision,NA\n");
   ASSERT_EQ(partly.size(), 2u);

@@ -19,10 +19,11 @@ struct CsvColumnOptions {
   std::map<std::string, Range> ranges = {};
   /// Columns with these ids have their kind and range, unless others are stated.
   std::vector<QuantityInfo> known = {};
-  /// Known columns that are NA in runs that failed; of others the name decides.
+  /// Known columns that are NA in runs that failed; of others the name decides, but in a table with
+  /// a column scenario_hash, which Slalom has exported.
   std::vector<std::string> known_conditional = {};
-  /// Columns that are as they stand in runs that failed.
-  std::vector<std::string> unconditional = {};
+  /// Columns that are NA in runs that failed, and that are as they stand there.
+  std::vector<std::string> conditional = {}, unconditional = {};
   /// Names of the columns of a table without a header line; empty: it has one.
   std::vector<std::string> names = {};
   /// The sheet of a workbook; empty: its only one with cells.
@@ -50,9 +51,10 @@ std::map<std::string, Range> parse_column_ranges(const std::string& text);
 /// text are in `unread`; what was taken as what is in `notes`.
 ///
 /// Throws Error (File), with the line, for a row with a wrong number of fields, for a first line of
-/// numbers, for two columns of one name, for a value outside the range of a known id, for an
-/// unknown outcome and for outcomes that contradict each other, and if there are no rows or no
-/// numbers.
+/// numbers, for two columns of one name, for a row without a method or scenario and for one of a
+/// repetition that was there, for a value outside the range of a known id, for a negative time or
+/// length of a success, for a score above 0 of a failure, for an unknown outcome and for outcomes
+/// that contradict each other, and if there are no rows or no numbers.
 ResultTable columns_from_csv(const std::string& text, const std::string& name,
                              const CsvColumnOptions& options = {});
 
@@ -66,6 +68,12 @@ struct CsvFile {
 /// that is given twice and for two methods of one name.
 ResultTable columns_from_csv(const std::vector<CsvFile>& files,
                              const CsvColumnOptions& options = {});
+
+/// The column that says whether a run collided, such as "collided"; null if there is none.
+const ValueColumn* collision_column(const ResultTable& table);
+
+/// Whether the name of a column is that of the time of a run, such as "duration [s]".
+bool is_time_name(const std::string& name);
 
 /// Decides the kind of each column over all tables: a column of 0 and 1 is a rate only if it is one
 /// in all tables that have it.
