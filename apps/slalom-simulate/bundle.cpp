@@ -39,8 +39,11 @@ void bundle(const BundleArguments& arguments) {
             << "\n";
 }
 
+/// The names of files are the author's: none of the user's may be replaced.
 void unpack(const std::string& path, const std::string& folder) {
   make_output_folder(folder);
+  if (!std::filesystem::is_empty(folder))
+    throw usage_error(folder, "is not empty", "a new or an empty folder");
   const std::string ini = unpack_methods(path, folder);
   const ResultFile file = ResultFile::open(path);
   const std::string list = (std::filesystem::path(folder) / "campaign.scenarios").string();

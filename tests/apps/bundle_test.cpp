@@ -514,10 +514,33 @@ TEST_F(Bundles, WithAnotherFileOfAMethodAreRefused) {
     with("method.gap.module/" + name, "edited");
     expect_failure("slalom-simulate unpack forged.slalom -o there", 3,
                    {"forged.slalom", "outside of its folder"});
-    with("method...plugin/" + name, "edited");
-    expect_failure("slalom-simulate unpack forged.slalom -o there", 3,
-                   {"forged.slalom", "outside of its folder"});
+    for (const std::string section : {"method.", "..x", "method.none", "campaign"}) {
+      with(section + ".plugin/" + name, "edited");
+      expect_failure("slalom-simulate unpack forged.slalom -o there", 3,
+                     {"forged.slalom", "a file of a method of its campaign"});
+    }
   }
+}
+
+TEST_F(Bundles, AreUnpackedIntoAFolderWithoutFilesOfTheUser) {
+  forge({});
+  std::filesystem::create_directories(path("there"));
+  write("there/.bashrc", "mine");
+  expect_failure("slalom-simulate unpack forged.slalom -o there", 2,
+                 {"there: is not empty", "a new or an empty folder"});
+  EXPECT_EQ(read("there/.bashrc"), "mine");
+  std::filesystem::remove(path("there/.bashrc"));
+  EXPECT_EQ(run("slalom-simulate unpack forged.slalom -o there").status, 0);
+}
+
+TEST_F(Bundles, AFileWhoseNameBeginsAsAnOverrideIsNotTheUsers) {
+  write("foreign.so", "");
+  forge({[&](Manifest& manifest) {
+    set_in_campaign(manifest, "libslalom_follow_the_gap.so", path("foreign.so"));
+  }});
+  std::filesystem::rename(path("forged.results"), path("--set.results"));
+  expect_failure("slalom-simulate verify --quiet -- --set.results", 2,
+                 {"would execute", "plugin = " + path("foreign.so")});
 }
 
 }  // namespace

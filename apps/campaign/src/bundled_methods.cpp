@@ -7,6 +7,7 @@
 #include <slalom/app/output_folder.h>
 #include <slalom/core/error.h>
 #include <slalom/core/hash.h>
+#include <slalom/core/printable.h>
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
@@ -101,6 +102,9 @@ std::string unpack_methods(const std::string& bundle, const std::string& folder)
   IniFile ini = recorded_ini(ResultFile::open(bundle).read_manifest(), bundle);
   for (const BundledFile& file : read_bundled_files(bundle)) {
     const BundledName name(file.key);
+    if (!starts_with(name.section, "method.") || !ini.has_section(name.section))
+      throw file_error(bundle, "contains a file of '" + printable_line(file.key) + "'",
+                       "a file of a method of its campaign");
     const bool is_option = name.needed.empty();
     const std::string value = ini.get(name.section, name.option).value_or("");
     const fs::path place =

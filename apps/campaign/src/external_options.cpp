@@ -99,8 +99,7 @@ void require_no_foreign_code(const IniFile& ini, std::vector<std::string> sectio
       if (starts_with(section, "method.")) sections.push_back(section);
   std::vector<std::string> foreign;
   const auto judge = [&](const ExternalOption& option, const std::string& section) {
-    const bool is_overridden = starts_with(ini.where(section, option.key), "--set");
-    if (!is_overridden && is_foreign(ini, option))
+    if (!ini.is_overridden(section, option.key) && is_foreign(ini, option))
       foreign.push_back(option.section + ": " + option.key + " = " + option.value);
   };
   for (const ExternalOption& option : external_options(ini, sections))

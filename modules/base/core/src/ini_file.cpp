@@ -76,7 +76,7 @@ IniFile IniFile::from_text(const std::string& text, const std::string& name) {
       throw usage_error(position, "malformed line '" + line + "'", "[section] or key = value");
     const std::string key = trim(line.substr(0, equals));
     const std::string where = position + ": [" + section + "] " + key;
-    const Entry entry = {trim(line.substr(equals + 1)), where, ini.count_++};
+    const Entry entry = {trim(line.substr(equals + 1)), where, ini.count_++, false};
     if (!ini.entries_[section].emplace(key, entry).second)
       throw usage_error(where, "duplicate key", "one value");
   }
@@ -131,17 +131,24 @@ bool IniFile::can_hold(const std::string& value) {
 void IniFile::set(const std::string& section, const std::string& key, const std::string& value,
                   const std::string& origin) {
   const std::string position = origin + section + "." + key;
+  const bool overridden = origin == kOverride;
   if (section_where_.emplace(section, position).second) section_order_.push_back(section);
-  const auto [found, is_new] = entries_[section].try_emplace(key, Entry{value, position, count_});
+  const auto [found, is_new] =
+      entries_[section].try_emplace(key, Entry{value, position, count_, overridden});
   if (is_new)
     ++count_;
   else
-    found->second = {value, position, found->second.number};
+    found->second = {value, position, found->second.number, overridden};
 }
 
 void IniFile::remove(const std::string& section, const std::string& key) {
   const auto found = entries_.find(section);
   if (found != entries_.end()) found->second.erase(key);
+}
+
+bool IniFile::is_overridden(const std::string& section, const std::string& key) const {
+  const Entry* entry = find(section, key);
+  return entry != nullptr && entry->overridden;
 }
 
 std::string IniFile::where(const std::string& section, const std::string& key) const {

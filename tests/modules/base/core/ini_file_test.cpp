@@ -98,6 +98,9 @@ TEST(IniFile, OverridesReplaceOrAddAKey) {
   ini.override_key("robot.radius = 0.4");
   EXPECT_EQ(ini.get("method.nd", "class"), "Y");
   EXPECT_EQ(ini.get("robot", "radius"), "0.4");
+  EXPECT_TRUE(ini.is_overridden("method.nd", "class"));
+  ini = IniFile::from_text("[method.nd]\nclass = X\n", "--set x");
+  EXPECT_FALSE(ini.is_overridden("method.nd", "class")) << ini.where("method.nd", "class");
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set radius: ", {"SECTION.KEY=VALUE"},
                            [&] { ini.override_key("radius"); }));
 }

@@ -15,6 +15,8 @@ class IniFile {
   static IniFile load(const std::string& path);
   static IniFile from_text(const std::string& text, const std::string& name = "<text>");
 
+  static constexpr const char* kOverride = "--set ";
+
   /// Whether a value is read as it is written: signs of comments and definitions may change it.
   static bool can_hold(const std::string& value);
 
@@ -28,7 +30,9 @@ class IniFile {
   std::optional<std::string> get(const std::string& section, const std::string& key) const;
   /// `origin` precedes SECTION.KEY in messages about this value.
   void set(const std::string& section, const std::string& key, const std::string& value,
-           const std::string& origin = "--set ");
+           const std::string& origin = kOverride);
+  /// Whether the value was set, with that origin: it is not one of the file.
+  bool is_overridden(const std::string& section, const std::string& key) const;
   void remove(const std::string& section, const std::string& key);  ///< no effect if absent
 
   /// "FILE:LINE: [section] key", for messages.
@@ -49,6 +53,7 @@ class IniFile {
   struct Entry {
     std::string value, where;
     std::size_t number;  ///< in the order of the file
+    bool overridden;
   };
   using Section = std::map<std::string, Entry>;  ///< by key
   std::string name_;
