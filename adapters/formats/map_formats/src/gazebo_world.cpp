@@ -116,10 +116,14 @@ class GazeboReader {
     if (name.empty() || name == "__model__") return scope.frame;
     if (name == "world") return Placement();
     if (depth > kMaxDepth) return std::nullopt;
-    for (const char* kind : {"link", "frame", "model"})
-      for (const XMLElement* child : xml_children(scope.element, kind))
-        if (name_of(*child) == name) return pose_in(scope, *child, depth + 1);
-    return std::nullopt;
+    const auto [found, is_new] = frames_.try_emplace(&scope.element);
+    if (is_new)
+      for (const char* kind : {"link", "frame", "model"})
+        for (const XMLElement* child : xml_children(scope.element, kind))
+          found->second.emplace(name_of(*child), child);
+    const auto child = found->second.find(name);
+    if (child == found->second.end()) return std::nullopt;
+    return pose_in(scope, *child->second, depth + 1);
   }
 
   void visit() { parts_.count(elements_, kMaxElements, "models and links"); }
@@ -291,6 +295,8 @@ class GazeboReader {
 
   WorldParts parts_;
   std::map<std::string, XmlFile> files_;
+  /// By element, the first of its children of each name that is a frame.
+  std::map<const XMLElement*, std::map<std::string, const XMLElement*>> frames_;
   std::map<std::string, Placement> saved_poses_;
   std::size_t elements_ = 0, includes_ = 0;
 };

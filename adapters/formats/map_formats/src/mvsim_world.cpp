@@ -53,6 +53,7 @@ class MvsimReader {
 
  private:
   static constexpr std::size_t kMaxValue = 1000;
+  static constexpr int kMaxDepth = 100;  ///< of values that name variables
 
   void read_item(const XMLElement& item, const std::string& kind) {
     const std::string name = xml_attribute(item, "name"), type = xml_attribute(item, "class");
@@ -108,19 +109,31 @@ class MvsimReader {
     }
   }
 
-  /// ${NAME} and $f{NAME} with their values.
-  std::string with_variables(std::string text) const {
-    const std::size_t max_size = text.size() + 1000 * kMaxValue;
-    for (const auto& [name, value] : variables_)
-      for (const std::string begin : {"${", "$f{"}) {
-        const std::string use = begin + name + "}";
-        for (std::size_t at = text.find(use); at != std::string::npos;
-             at = text.find(use, at + value.size()))
-          if (text.replace(at, use.size(), value).size() > max_size)
-            throw file_.error(file_.root(), "values of variables name each other",
-                              "values without names of variables");
-      }
-    return text;
+  /// ${NAME} and $f{NAME} with their values, in which other variables may be named.
+  std::string with_variables(const std::string& text) const {
+    std::string result;
+    append_with_variables(text, text.size() + 1000 * kMaxValue, 0, result);
+    return result;
+  }
+
+  void append_with_variables(const std::string& text, std::size_t max_size, int depth,
+                             std::string& result) const {
+    std::size_t next = 0;
+    for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1)) {
+      const std::size_t open = at + (text.compare(at, 2, "$f") == 0 ? 2 : 1);
+      if (open >= text.size() || text[open] != '{') continue;
+      const std::string name = text.substr(open + 1, kMaxValue);
+      const auto variable = variables_.find(name.substr(0, name.find('}')));
+      if (variable == variables_.end() || name.find('}') == std::string::npos) continue;
+      result.append(text, next, at - next);
+      if (depth == kMaxDepth || result.size() > max_size)
+        throw file_.error(file_.root(), "values of variables name each other",
+                          "values without names of variables");
+      append_with_variables(variable->second, max_size, depth + 1, result);
+      at = open + 1 + name.find('}');
+      next = at + 1;
+    }
+    result.append(text, next, std::string::npos);
   }
 
   /// Whether a value needs mvsim's evaluation of formulas; ${NAME} is the name of the object, which
@@ -269,7 +282,8 @@ class MvsimReader {
 
   void add_block(const MvsimObject& block, const std::string& name) {
     const std::string intangible = xml_text(block.child("intangible"));
-    if (intangible == "true" || intangible == "1") return;
+    if (intangible == "true" || intangible == "1")
+      return parts_.leave_out("intangible blocks", name);
     if (block.child("animation") != nullptr)
       return parts_.leave_out("blocks with animations", name);
     const XMLElement *plain = block.child("init_pose"), *spatial = block.child("init_pose3d");

@@ -246,25 +246,44 @@ class StageReader {
     return otherwise;
   }
 
-  void add(const StageEntity& entity, const std::string& path) {
+  /// A model and those on it, which are placed relative to `parent`.
+  void add(const StageEntity& entity, const std::string& path, const Placement& parent = {}) {
     const Chain chain = chain_of(entity);
     const std::string root = chain.back()->type, where = path + ":" + std::to_string(entity.line);
     const auto* names = property(chain, "name");
     const std::string name = names == nullptr ? entity.type : names->front();
     const auto pose = numbers_or(chain, "pose", {0, 0, 0, 0}, where);
+    const Placement place =
+        parent + Placement(pose[0], pose[1], pose[2], mrpt::DEG2RAD(pose[3]), 0, 0);
     if (root == "position") {
       if (start_) return parts_.leave_out("robots", name);
-      start_ = {pose[0], pose[1], mrpt::DEG2RAD(pose[3])};
+      start_ = {place.x(), place.y(), place.yaw()};
       return;
     }
-    const bool is_model = root == "model" || root == "floorplan" || root == "map";
-    const bool is_transparent = numbers_or(chain, "obstacle_return", {1}, where)[0] == 0 &&
-                                numbers_or(chain, "ranger_return", {1}, where)[0] < 0;
-    if (is_transparent || !is_model) return;
+    if (root != "model" && root != "floorplan" && root != "map") return;
     const auto size = numbers_or(chain, "size", {0.4, 0.4, 1}, where);
     if (!(size[0] > 0 && size[1] > 0 && size[2] > 0))
       throw file_error(where, "a size is not above 0", "lengths in m");
-    const Placement center(pose[0], pose[1], pose[2] + size[2] / 2, mrpt::DEG2RAD(pose[3]), 0, 0);
+    const auto origin = numbers_or(chain, "origin", {0, 0, 0, 0}, where);
+    const Placement center = place + Placement(origin[0], origin[1], origin[2] + size[2] / 2,
+                                               mrpt::DEG2RAD(origin[3]), 0, 0);
+    const bool is_transparent = numbers_or(chain, "obstacle_return", {1}, where)[0] == 0 &&
+                                numbers_or(chain, "ranger_return", {1}, where)[0] < 0;
+    if (is_transparent)
+      parts_.leave_out("models that nothing sees or touches", name);
+    else
+      add_shape(chain, center, size, path, name, where);
+    const bool stacked = numbers_or(chain, "stack_children", {1}, where)[0] != 0;
+    const Placement base = place + Placement(0, 0, stacked ? size[2] : 0, 0, 0, 0);
+    for (const StageEntity* one : chain)
+      for (const StageEntity& child : one->children) {
+        parts_.count(entities_, kMaxEntities, "models");
+        if (child.type != "block") add(child, path, base);
+      }
+  }
+
+  void add_shape(const Chain& chain, const Placement& center, const std::vector<double>& size,
+                 const std::string& path, const std::string& name, const std::string& where) {
     if (const auto* bitmap = property(chain, "bitmap"))
       add_bitmap((fs::path(path).parent_path() / bitmap->front()).string(), center, size, name);
     else

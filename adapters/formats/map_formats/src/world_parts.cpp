@@ -189,7 +189,8 @@ std::string WorldParts::left_out_text() const {
   for (const auto& [kind, names] : left_out_) {
     std::string part = kind;
     for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i)
-      part += (i > 0 ? ", '" : " '") + names[i].first + "'" +
+      part += (i > 0 ? ", " : " ") +
+              (names[i].first.empty() ? "without a name" : "'" + names[i].first + "'") +
               (names[i].second > 1 ? " (" + std::to_string(names[i].second) + ")" : "");
     if (names.size() > kMaxNames)
       part += " and " + std::to_string(names.size() - kMaxNames) + " more";

@@ -278,6 +278,19 @@ TEST_F(GazeboWorld, RefusesMalformedWorldsWithTheirLine) {
   EXPECT_TRUE(rejects(wide + "/>", {"more than 1000 attributes"}));
 }
 
+TEST_F(GazeboWorld, HasAnyNumberOfFrames) {
+  std::string content;
+  for (int i = 0; i < 20000; ++i) {
+    const std::string n = std::to_string(i);
+    content += "<frame name='f" + n + "'><pose>" + n + " 0 0 0 0 0</pose></frame>";
+    if (i % 4 == 0)
+      content += "<model name='m" + n + "'><pose relative_to='f" + n +
+                 "'>0 0 0 0 0 0</pose><link name='l'><collision name='c'><geometry><box><size>"
+                 "0.1 0.1 1</size></box></geometry></collision></link></model>";
+  }
+  EXPECT_EQ(obstacles(content).polygons.size(), 5000U);
+}
+
 class MvsimWorld : public testing::Test {
  protected:
   ImportedWorld imported(const std::string& content) const {
@@ -327,7 +340,20 @@ TEST_F(MvsimWorld, PlacesBlocksOfClassesWithVariables) {
   ASSERT_EQ(polygons.size(), 2U);
   expect_corners(polygons[0], {{4.5, 4}, {5.5, 4}, {5.5, 6}, {4.5, 6}});
   expect_corners(polygons[1], {{0.5, 0}, {0, 0.5}, {-0.5, 0}, {0, -0.5}});
-  EXPECT_TRUE(mentions(world.message, {"1 shape below"}));
+  EXPECT_TRUE(mentions(world.message, {"intangible blocks 'crate'", "1 shape below"}));
+}
+
+TEST_F(MvsimWorld, HasAnyNumberOfVariablesThatBlocksUse) {
+  // Each search through all variables would take an hour.
+  std::string content;
+  for (int i = 0; i < 40000; ++i) {
+    const std::string n = std::to_string(i);
+    content += "<variable name='v" + n + "' value='" + n + "'/>";
+    if (i % 4 == 0)
+      content += "<block><geometry type='box' lx='0.1' ly='0.1' lz='1'/><init_pose>${v" + n +
+                 "} 0 0</init_pose></block>";
+  }
+  EXPECT_EQ(imported(content).scenario.primitives().polygons.size(), 10000U);
 }
 
 TEST_F(MvsimWorld, WhoseVariablesNameEachOtherIsRefused) {
@@ -604,6 +630,22 @@ TEST_F(StageWorld, HasBoxesBlocksAndBoundaries) {
   expect_corners(polygons[1], {{0, 0}, {1, 0}, {0, 1}});
   expect_corners(polygons[2], {{-4, -4}, {4, -4}, {-4, 4}});
   expect_corners(polygons[3], {{-4, -4}, {-3.99, -4}, {-3.99, 4}, {-4, 4}});
+}
+
+TEST_F(StageWorld, ModelsHaveOriginsAndStandOnOthers) {
+  // Stage places shapes at the global pose plus the origin, children on top of their parent.
+  const ImportedWorld world = imported(
+      "define wall model ( size [ 2 0.5 1 ] )\n"
+      "wall ( pose [ 6 3 0 90 ] origin [ 1 0 0 0 ] )\n"
+      "wall ( pose [ 0 0 0 90 ] stack_children 0 wall ( pose [ 3 0 0 0 ] ) )\n"
+      "wall ( pose [ 9 9 0 0 ] wall ( pose [ 3 0 5 0 ] ) )\n"
+      "wall ( name \"ghost\" pose [ 6 6 0 0 ] obstacle_return 0 ranger_return -1 )\n");
+  const auto& polygons = world.scenario.primitives().polygons;
+  ASSERT_EQ(polygons.size(), 4U);
+  expect_corners(polygons[0], {{5.75, 3}, {6.25, 3}, {6.25, 5}, {5.75, 5}});
+  expect_corners(polygons[2], {{-0.25, 2}, {0.25, 2}, {0.25, 4}, {-0.25, 4}});
+  EXPECT_TRUE(
+      mentions(world.message, {"models that nothing sees or touches 'ghost'", "1 shape below"}));
 }
 
 TEST_F(StageWorld, RefusesMalformedWorldsWithTheirLine) {
