@@ -126,7 +126,9 @@ Interval hurdle_interval(const ScoreMoments& moments, double high, double confid
     return {high * part.low, high * part.high};
   }
   const Interval of_rate = rate_interval(moments.success, confidence);
-  const Interval of_given = t_interval(moments.given, confidence).value_or(Interval{given, given});
+  Interval of_given = t_interval(moments.given, confidence).value_or(Interval{given, given});
+  of_given.high =
+      std::max(of_given.high, normal_upper_bound(moments.given, high, (1 - confidence) / 2));
   const double r = correlation_of(moments);
   const double below = combined(given * (rate - of_rate.low), rate * (given - of_given.low), r),
                above = combined(given * (of_rate.high - rate), rate * (of_given.high - given), r);

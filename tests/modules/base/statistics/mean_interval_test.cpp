@@ -107,7 +107,21 @@ TEST(HurdleInterval, OfEqualValuesHasTheWidthOfARateWithoutFailures) {
   const Interval interval = hurdle(std::vector<double>(20, 0.9));
   const Interval rate = wilson_interval(1, 20, kMeanConfidence);
   EXPECT_NEAR(interval.low, 0.9 * rate.low, 1e-12);
-  EXPECT_NEAR(interval.high, 0.9, 1e-12);
+  // Dirichlet weights of the 20 values and of 1: mean c, variance sum (x - c)^2 / (21 * 22).
+  const double c = (20 * 0.9 + 1) / 21;
+  const double variance = (20 * std::pow(0.9 - c, 2) + std::pow(1 - c, 2)) / (21 * 22);
+  EXPECT_NEAR(interval.high, c + 1.959964 * std::sqrt(variance), 1e-6);
+}
+
+TEST(HurdleInterval, CoversWhereHighValuesAreRare) {
+  // All runs succeed; a standard deviation cannot show a detour-free path that did not occur.
+  for (const int n : {10, 30, 100}) {
+    const Coverage found = simulate(0.5 + 0.03 * 0.5, 3000, 74, [&](RandomEngine& engine) {
+      return hurdle(sample(
+          engine, n, [](RandomEngine& e) { return uniform_real(e, 0, 1) < 0.03 ? 1.0 : 0.5; }));
+    });
+    EXPECT_GE(found.covered, 0.93) << n;
+  }
 }
 
 TEST(HurdleInterval, HoldsItsMarksWithRareFailures) {

@@ -25,7 +25,9 @@ ScoreMoments score_moments(const GroupSums& groups, const std::vector<double>& p
 /// 2009, Comput. Stat. Data Anal. 53:3755). The correlation of both estimates, from repetitions of
 /// scenarios, enters as in Newcombe's method 8. With fewer than two groups with a success it is
 /// clopper_pearson_interval() of the sum of the values, in units of `high`. A standard deviation
-/// cannot show a failure that has not occurred yet; the interval of the rate does.
+/// cannot show a failure that has not occurred yet; the interval of the rate does. Nor can it show
+/// a value near `high`: the upper end of the values that are not 0 is at least that of
+/// gaffke_interval(), as if the weighted sum were normal.
 Interval hurdle_interval(const ScoreMoments& moments, double high, double confidence);
 
 /// The interval of the mean of values within the bounded `range`, of any distribution (Gaffke 2005;
