@@ -115,7 +115,7 @@ class LogEvaluator {
     else if (checker_.is_time_over(time(now)))
       end(Outcome::Timeout, "goal not reached");
     else if (checker_.is_stuck(result_.trajectory, now.t, now.pose))
-      end(Outcome::Stuck, "no progress for " + format_number(options_.stuck_time) + " s");
+      end(Outcome::Stuck, "no progress for " + format_number(checker_.stuck_time()) + " s");
   }
 
   /// Checks the motion between two consecutive samples.

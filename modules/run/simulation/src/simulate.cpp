@@ -163,7 +163,7 @@ class Run {
       end(Outcome::Timeout, "goal not reached, " + at(pose(), time_));
     else if (checker_.is_stuck(result_.trajectory, time_, pose()))
       end(Outcome::Stuck,
-          "no progress for " + format_number(options_.stuck_time) + " s " + at(pose(), time_));
+          "no progress for " + format_number(checker_.stuck_time()) + " s " + at(pose(), time_));
     return finished_;
   }
 

@@ -23,7 +23,9 @@ void SimulationOptions::visit(OptionVisitor& v) {
   v.option("goal_heading_tolerance", goal_heading_tolerance, "rad",
            "difference within which the heading is reached of a goal that has one",
            Range::between(0, M_PI));
-  v.option("stuck_time", stuck_time, "s", "time without progress after which a run is stuck",
+  v.option("stuck_time", stuck_time, "s",
+           "time without progress after which a run is stuck; at least 1.5 times that of a half "
+           "turn and stuck_distance",
            Range::positive());
   v.option("stuck_distance", stuck_distance, "m", "smaller motion counts as no progress",
            Range::positive());
@@ -60,6 +62,14 @@ double SimulationOptions::time_limit(double earliest) const {
   constexpr double kShortest = 60;  // s
   if (max_time) return *max_time;
   return std::min(std::max(kShortest, time_factor * earliest), kMaxAutoCycles * control_period);
+}
+
+double SimulationOptions::stuck_limit(const RobotModel& robot) const {
+  constexpr double kAllowance = 1.5;
+  const double turn =
+      robot.min_turning_radius > 0 ? 0 : M_PI / robot.max_w + robot.max_w / robot.max_accel_w;
+  const double move = stuck_distance / robot.max_v + robot.max_v / robot.max_accel_v;
+  return std::max(stuck_time, kAllowance * (turn + move + robot.delay + robot.delay_tau));
 }
 
 void check_period(const PeopleSettings& people, const SimulationOptions& simulation,

@@ -78,9 +78,8 @@ std::string TerminationChecker::describe_contact(const Trajectory& trajectory,
 bool TerminationChecker::is_stuck(const Trajectory& trajectory, double now,
                                   const TPose2D& pose) const {
   const auto& samples = trajectory.samples;
-  if (samples.empty() || now - samples.front().t < options_.stuck_time - kTimeTolerance)
-    return false;
-  const double since = now - options_.stuck_time - kTimeTolerance;
+  if (samples.empty() || now - samples.front().t < stuck_time_ - kTimeTolerance) return false;
+  const double since = now - stuck_time_ - kTimeTolerance;
   for (std::size_t i = samples.size(); i > 0 && samples[i - 1].t >= since; --i)
     if (distance_between(samples[i - 1].pose, pose) > options_.stuck_distance) return false;
   return true;

@@ -26,7 +26,8 @@ class TerminationChecker {
         contact_(make_footprint_contact(world, robot.shape())),
         mover_contact_(movers.movers(), robot.shape(), movers.max_speed()),
         footprint_(robot.shape()),
-        options_(options) {}
+        options_(options),
+        stuck_time_(options.stuck_limit(robot)) {}
 
   bool touches(const mrpt::math::TPose2D& pose) const { return contact_->touches(pose); }
   /// The mover that overlaps the robot at time t; null if there is none.
@@ -41,7 +42,8 @@ class TerminationChecker {
   bool is_in_time(double now) const;    ///< now <= time_limit()
   bool is_time_over(double now) const;  ///< now >= time_limit()
 
-  /// Whether all positions of the last stuck_time before `now` lie within stuck_distance of the
+  double stuck_time() const { return stuck_time_; }  ///< s, stuck_limit()
+  /// Whether all positions of the last stuck_time() before `now` lie within stuck_distance of the
   /// last one.
   bool is_stuck(const Trajectory& trajectory, double now, const mrpt::math::TPose2D& pose) const;
 
@@ -57,6 +59,7 @@ class TerminationChecker {
   MoverContact mover_contact_;
   Footprint footprint_;
   const SimulationOptions& options_;
+  double stuck_time_;
 };
 
 }  // namespace slalom

@@ -90,12 +90,13 @@ TEST(EvaluateTrajectory, EndsWhenTheTimeIsOver) {
 
 TEST(EvaluateTrajectory, EndsWhereTheRobotIsStuck) {
   SimulationOptions options;
-  options.stuck_time = 3;
-  const SimulationResult result =
-      evaluate(square_world({2, 5, 0}, {8, 5}),
-               {{2, 5}, {3, 5}, {3, 5}, {3, 5}, {3, 5}, {3, 5}, {8, 5}}, options);
+  options.stuck_time = 6;
+  Path log(10, {3, 5});
+  log.front() = {2, 5};
+  log.back() = {8, 5};
+  const SimulationResult result = evaluate(square_world({2, 5, 0}, {8, 5}), log, options);
   EXPECT_EQ(result.outcome, Outcome::Stuck);
-  EXPECT_EQ(result.trajectory.duration(), 4);
+  EXPECT_EQ(result.trajectory.duration(), 7);
 }
 
 TEST(EvaluateTrajectory, CountsALogThatEndsTooEarlyAsTimeout) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -151,6 +153,27 @@ TEST(Simulate, CallsStoppedAndRotatingRobotsStuck) {
     EXPECT_EQ(result.outcome, Outcome::Stuck);
     EXPECT_NEAR(result.trajectory.duration(), options.stuck_time, 1e-9);
   }
+}
+
+TEST(Simulate, ARobotThatDoesWhatItCanIsNotStuck) {
+  // A half turn at 0.35 rad/s takes 9 s, 0.5 m at 0.13 m/s 4 s.
+  SimulationOptions options;
+  options.max_time = 60;
+  RobotModel slow;
+  slow.max_w = 0.35;
+  slow.max_v = 0.13;
+  options.stuck_distance = 0.5;
+  for (const double stuck_time : {1.0, 8.0}) {
+    options.stuck_time = stuck_time;
+    FunctionMethod turns([&slow](const Observation& o) {
+      const double bearing = std::atan2(o.goal_in_robot.y, o.goal_in_robot.x);
+      const double w = std::clamp(bearing, -slow.max_w, slow.max_w);
+      return Command{std::abs(bearing) > 0.1 ? 0 : slow.max_v, w};
+    });
+    EXPECT_EQ(run(square_world({5, 5, 0}, {2, 5}), turns, options, slow).outcome, Outcome::Success);
+  }
+  EXPECT_NEAR(options.stuck_limit(slow), 1.5 * (M_PI / 0.35 + 0.35 / 3 + 0.5 / 0.13 + 0.13), 1e-9);
+  EXPECT_EQ(SimulationOptions().stuck_limit(RobotModel()), 8);
 }
 
 TEST(Simulate, CallsCreepingStuckButNotSlowProgress) {

@@ -17,7 +17,10 @@ class OwnColumns : public testing::Test {
 
   /// Runs of two methods in two scenarios, the first of them without samples.
   OwnColumns() {
-    ResultFile file = ResultFile::create(path_, {{"campaign", "mine"}}, {{"density"}}, {{"time"}});
+    QuantityInfo density, time;
+    density.id = "density";
+    time.id = "time";
+    ResultFile file = ResultFile::create(path_, {{"campaign", "mine"}}, {density}, {time});
     int run = 0;
     for (const std::uint64_t seed : {1, 2}) {
       const Scenario scenario = sample_scenario(seed, "s" + std::to_string(seed));

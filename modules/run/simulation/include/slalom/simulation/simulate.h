@@ -41,6 +41,10 @@ struct SimulationOptions {
   /// and time_factor times `earliest` (s), the earliest possible arrival as far as it is known, but
   /// at most kMaxAutoCycles control periods.
   double time_limit(double earliest = 0) const;
+  /// s, the time without progress after which this robot is stuck: stuck_time, but at least 1.5
+  /// times what it takes for a half turn and then stuck_distance, both from standing: within its
+  /// limits it could not do better.
+  double stuck_limit(const RobotModel& robot) const;
 };
 
 /// Throws Error (Usage) unless the period of people is a multiple of the control period: the
