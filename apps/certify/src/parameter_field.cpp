@@ -58,6 +58,10 @@ void ParameterField::resolve_range(const MethodCampaign& campaign, BlockRunner& 
   if (parameter.integer) width = std::ceil(width);
   const double count = std::max(1.0, std::floor(range / width + 1e-9));
   bins = {*low, *low + count * width, width, parameter.integer, parameter.unit};
+  if (count < 2)
+    throw usage_error(end_option("from"),
+                      "the range of " + of + " is one step, " + bins.text({0, 1}),
+                      end_option("from") + " and " + end_option("to"));
   const auto successes = [&](std::size_t bin) {
     const RunStream stream{"ends/" + option + "/" + std::to_string(bin),
                            of + " in " + bins.text({bin, bin + 1}),

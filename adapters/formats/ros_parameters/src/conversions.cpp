@@ -112,6 +112,13 @@ Result number(const RosParameter& p, const RosContext&) {
   return format_number(value_of(p));
 }
 
+Result limited_speed(const RosParameter& p, const RosContext& c) {
+  double speed = value_of(p);
+  for (const char* key : {"max_speed_xy", "max_vel_trans", "max_trans_vel"})
+    if (const double limit = sibling_number(c, key, -1); limit >= 0) speed = std::min(speed, limit);
+  return format_number(speed);
+}
+
 Result reciprocal(const RosParameter& p, const RosContext&) {
   const double value = value_of(p);
   if (!(value > 0)) throw usage_error(p.where, "'" + p.text + "' is not positive", "more than 0");

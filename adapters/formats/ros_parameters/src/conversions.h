@@ -9,6 +9,7 @@ using Result = std::optional<std::string>;
 
 // Each is a RosConversion. Numbers are in SI units and radians in ROS, too.
 Result number(const RosParameter& p, const RosContext& c);
+Result limited_speed(const RosParameter& p, const RosContext& c);  ///< by that of any direction
 Result reciprocal(const RosParameter& p, const RosContext& c);
 Result half(const RosParameter& p, const RosContext& c);
 Result absolute(const RosParameter& p, const RosContext& c);

@@ -9,11 +9,18 @@
 #include <slalom/results/lack_of_time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 namespace slalom {
 namespace {
+
+/// s, in which the robot drives that far (m) from standing.
+double least_time(double length, const RobotModel& robot) {
+  const double v = robot.max_v, a = robot.max_accel_v, to_speed = v * v / (2 * a);
+  return robot.delay + (length < to_speed ? std::sqrt(2 * length / a) : length / v + v / (2 * a));
+}
 
 MetricContext context_of(const CampaignOptions& options, const World& world,
                          const References& references, const Trajectory& trajectory,
@@ -88,14 +95,15 @@ double time_limit(const RunSetup& setup, const References& references) {
 
 bool may_lack_time(const RunSetup& setup, const References& references) {
   return references.shortest &&
-         references.shortest->exact_length > time_limit(setup, references) * setup.robot.max_v;
+         least_time(references.shortest->exact_length, setup.robot) > time_limit(setup, references);
 }
 
 std::string lack_of_time(const RunSetup& setup, const World& world, const References& references) {
   if (!may_lack_time(setup, references)) return "";
   const double limit = time_limit(setup, references), speed = setup.robot.max_v;
-  const double earliest = earliest_without_movers(problem_of(setup, world), *references.shortest,
+  const double at_speed = earliest_without_movers(problem_of(setup, world), *references.shortest,
                                                   {speed, setup.simulation.goal_tolerance, limit});
+  const double earliest = least_time(at_speed * speed, setup.robot);
   if (earliest <= limit) return "";
   return lack_of_time_sentence(limit, earliest, speed);
 }

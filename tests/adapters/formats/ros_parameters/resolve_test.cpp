@@ -137,6 +137,18 @@ TEST_F(RosParameters, RobotsHaveTheFootprintOfTheCostmapAndTheLimitsOfTheControl
   EXPECT_FALSE(dwb.forward_only);
 }
 
+TEST_F(RosParameters, TheSpeedAheadIsAtMostThatOfAnyDirection) {
+  // Both planners reject what is faster; a negative limit is none (KinematicParameters of dwb).
+  const std::string dwb = "      max_vel_x: 0.5\n      max_speed_xy: ";
+  for (const auto& [limit, speed] : {std::pair("0.3", "0.3"), {"0.8", "0.5"}, {"-1.0", "0.5"}}) {
+    EXPECT_EQ(value(resolve_controller(kDwb, dwb + limit + "\n"), "method.m", "max_vel_x"), speed);
+    const IniFile robot = resolve("[robot]\nfrom = nav.yaml\n");
+    EXPECT_EQ(value(robot, "robot", "max_v"), speed) << limit;
+  }
+  write("dwa.yaml", "DWAPlannerROS: {max_vel_x: 0.5, max_vel_trans: 0.3}\n");
+  EXPECT_EQ(value(resolve("[robot]\nfrom = dwa.yaml\n"), "robot", "max_v"), "0.3");
+}
+
 TEST_F(RosParameters, LimitsThatTheControllerDoesNotHaveAreThoseOfTheSmoother) {
   write("nav.yaml",
         "FollowPath: {plugin: \"" + kRpp +

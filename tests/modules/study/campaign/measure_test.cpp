@@ -201,14 +201,20 @@ TEST(TimeLimit, TooLittleTimeIsProvedUpToTheToleranceOfTheGoal) {
   options.robot.max_v = 0.26;
   const World hall(Scenario::continuous("hall", {0, 0, 30, 4}, {}, {1, 2, 0}, {27.8, 2}), 0.05);
   const References references = find_references(options, nullptr, hall);
-  const double earliest = (26.8 - options.simulation.goal_tolerance) / 0.26;  // 102.3 s
+  // At speed 102.3 s; until then, at 1 m/s^2, half of that distance is lost.
+  const double earliest = (26.8 - options.simulation.goal_tolerance) / 0.26 + 0.26 / 2;
   options.simulation.max_time = 60;
   EXPECT_EQ(lack_of_time(options, hall, references),
-            "nobody can arrive within 60 s: the shortest path takes at least 102.3 s at 0.26 m/s");
+            "nobody can arrive within 60 s: the shortest path takes at least 102.4 s at 0.26 m/s");
   options.simulation.max_time = earliest + 0.01;
   EXPECT_EQ(lack_of_time(options, hall, references), "");
   options.simulation.max_time = earliest - 0.01;
   EXPECT_NE(lack_of_time(options, hall, references), "");
+  options.robot.max_accel_v = 0.0005;  // never at its speed: s = a t^2 / 2
+  options.simulation.max_time = 326;
+  EXPECT_NE(lack_of_time(options, hall, references), "");
+  options.simulation.max_time = 327;
+  EXPECT_EQ(lack_of_time(options, hall, references), "") << std::sqrt(2 * 26.6 / 0.0005);
 }
 
 }  // namespace

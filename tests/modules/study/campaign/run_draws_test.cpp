@@ -116,7 +116,7 @@ TEST(RunDraws, UseTheOptionsOfADraw) {
   const auto draw = [](std::size_t index) -> std::optional<RunDraw> {
     CampaignOptions options = options_of_draws();
     options.odometry = {};
-    options.robot.max_v = index == 0 ? 1 : 0.37;  // 1.8 m in 5 s, and it has to speed up
+    options.robot.delay_tau = index == 0 ? 0 : 8;  // s: 1.3 m of 1.8 m in 5 s
     return RunDraw{corridor(1), options};
   };
   const std::vector<DrawnRun> runs = runs_of(draw, 2, 1);
@@ -150,7 +150,7 @@ TEST(RunDraws, InWhichNobodyCanArriveInTimeAreRefusedByName) {
   EXPECT_TRUE(
       throws_error(ErrorKind::Usage, "[simulation] max_time",
                    {"scenario corridor_1: nobody can arrive within 5 s: the shortest path "
-                    "takes at least 6.0 s at 0.3 m/s",  // 1.8 m, up to the tolerance of the goal
+                    "takes at least 6.2 s at 0.3 m/s",  // 1.8 m up to the tolerance, from standing
                     "auto"},
                    [&] { runs_of(draw, 1, 1); }));
 }
