@@ -24,17 +24,19 @@ std::size_t planned_runs(const ResultTable& runs) {
 void warn_of_missing_runs(const std::string& folder, std::size_t files, std::size_t runs,
                           std::size_t planned) {
   if (runs >= planned) return;
-  std::cerr << folder << ": " << runs << " of " << planned << " runs in "
-            << count_text(files, "file") << "\n";
+  std::cerr << folder << ": " << runs << " of " << planned << " runs "
+            << (files > 0 ? "in " + count_text(files, "file") : "of its campaign") << "\n";
 }
 
 void warn_of_missing(const std::string& path, const ResultTable& runs) {
   warn_of_damage(path, runs.damaged);
   for (const std::string& note : runs.notes)
     std::cerr << path << ": " << printable_line(note) << "\n";
+  if (is_foreign(runs)) return;
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    warn_of_missing_runs(path, campaign_files(path).size(), runs.size(), planned_runs(runs));
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  warn_of_missing_runs(path, is_folder ? campaign_files(path).size() : 0, runs.size(),
+                       planned_runs(runs));
 }
 
 }  // namespace slalom

@@ -22,6 +22,8 @@ Parameters limited(Parameters p, const Robot& robot) {
   limit(p.max_vel_theta, robot.max_w);
   limit(p.acc_lim_x, robot.max_accel_v);
   limit(p.acc_lim_theta, robot.max_accel_w);
+  if (p.min_vel_trans > p.max_vel_x)
+    throw std::invalid_argument("min_vel_trans exceeds the largest speed");
   p.min_vel_x = std::clamp(p.min_vel_x, robot.forward_only ? 0 : -robot.max_v, p.max_vel_x);
   p.backup_speed = std::min(p.backup_speed, robot.max_v);
   return p;

@@ -369,7 +369,8 @@ TEST_F(Analyze, ReadsATableWithoutHeader) {
   EXPECT_EQ(table.status, 0);
   EXPECT_EQ(table.err,
             "out.txt: separated by blanks; not available in runs that failed: time "
-            "(--unconditional); taken: world as scenario, "
+            "(--unconditional); counted in runs that failed, too: metric (--conditional); taken: "
+            "world as scenario, "
             "collided as collision\n");
   EXPECT_NE(table.out.find("\nall,"), std::string::npos) << table.out;
   expect_failure("slalom-analyze table out.txt", 3,
@@ -534,6 +535,8 @@ TEST_F(Analyze, AFolderOfShardsHasTheTablesOfTheMergedFile) {
   std::filesystem::remove(folder_ / "shards/2.results");
   // 4 scenarios, 2 methods: the first shard has half of them.
   EXPECT_EQ(run("slalom-analyze table shards").err, "shards: 4 of 8 runs in 1 file\n");
+  EXPECT_EQ(run("slalom-analyze table shards/1.results").err,
+            "shards/1.results: 4 of 8 runs of its campaign\n");
   EXPECT_EQ(run(report + "part shards").err,
             "shards: 4 of 8 runs in 1 file\nreport: part/index.html\n");
   EXPECT_NE(read("part/index.html").find("scenarios, 4 of 8 runs</p>"), std::string::npos);

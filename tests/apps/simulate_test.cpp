@@ -58,7 +58,7 @@ TEST_F(Simulate, SaysBeforeTheRunsInWhichScenariosNobodyCanArriveInTime) {
   const std::string note =
       "in 1 of 2 scenarios nobody can arrive within 60 s: far; in far the shortest path takes at "
       "least "
-      "102.3 s at 0.26 m/s\n";
+      "102.4 s at 0.26 m/s\n";
   const ProgramResult hurried = run(simulate + "--set simulation.max_time=60 -o a.results");
   EXPECT_EQ(hurried.err.find(note), 0U) << hurried.err;
   EXPECT_NE(run("slalom-analyze dump a.results").out.find("nobody can arrive within 60 s"),

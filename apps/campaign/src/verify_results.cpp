@@ -247,7 +247,7 @@ void require_intact(const ResultFile& file) {
   file.for_each_run([&](const RunRecord& run) { file.read_trajectory(run); });
 }
 
-/// What a file states of a quantity beside its values, by which tables judge them.
+/// Statements of a file about a quantity beside its values, by which tables judge them.
 std::string statement_of(const QuantityInfo& info) {
   return info.name + ", " + info.unit + ", " + std::string(to_string(info.direction)) + ", " +
          std::string(to_string(info.kind)) + ", " + range_notation(info.range);

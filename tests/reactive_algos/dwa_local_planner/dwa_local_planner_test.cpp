@@ -160,6 +160,15 @@ TEST(DwaLocalPlanner, StopsWithinTheToleranceOfTheTask) {
   EXPECT_THROW(Drive(parameters, jackal(), {3, 0}, 0.05), std::invalid_argument);
 }
 
+TEST(DwaLocalPlanner, WithoutATrajectoryThatIsFastEnoughIsRefused) {
+  Robot slow = jackal();
+  slow.max_v = 0.05;
+  EXPECT_THROW(Drive({}, slow, {3, 0}), std::invalid_argument);
+  Parameters parameters;
+  parameters.min_vel_trans = 0.02;
+  EXPECT_NO_THROW(Drive(parameters, slow, {3, 0}));
+}
+
 TEST(DwaLocalPlanner, TurnsInPlaceTowardsAPathBehindIt) {
   Drive drive({}, jackal(), {-3, 0.5});
   for (int i = 0; i < 200; ++i) drive.cycle({});
@@ -195,7 +204,8 @@ TEST(DwaLocalPlanner, PlansAroundWhatItHasNotSeenWithAKnownMap) {
 
 TEST(DwaLocalPlanner, BeginsToRecoverAfterItsPatience) {
   Parameters parameters;
-  parameters.min_vel_trans = parameters.min_vel_theta = 10;  // no trajectory is fast enough
+  parameters.min_vel_trans = jackal().max_v;  // no trajectory from standing is fast enough
+  parameters.min_vel_theta = 10;
   Drive drive(parameters, jackal(), {3, 0});
   for (int i = 0; i < 20; ++i) EXPECT_EQ(drive.cycle({}).w, 0) << i;
   for (int i = 0; i < 4; ++i) drive.cycle({});

@@ -295,7 +295,7 @@ class GazeboReader {
 
   WorldParts parts_;
   std::map<std::string, XmlFile> files_;
-  /// By element, the first of its children of each name that is a frame.
+  /// The first child of each name that is a frame, by element.
   std::map<const XMLElement*, std::map<std::string, const XMLElement*>> frames_;
   std::map<std::string, Placement> saved_poses_;
   std::size_t elements_ = 0, includes_ = 0;
