@@ -53,9 +53,9 @@ std::string failure_text(const Failure& failure, const FalsificationSetup& setup
                      to_string(small.trial.outcome) + "\n";
   text += "  found      " + failure.origin + "\n";
   if (!small.scenario.people().empty()) text += "  ended      " + small.trial.detail + "\n";
-  text += "  shrunk     " + before + " -> " + after + " obstacles, " +
+  text += "  shrunk     obstacles " + before + " -> " + after + ", " +
           size_text(failure.original.bounds()) + " -> " + size_text(small.scenario.bounds()) +
-          ", " + std::to_string(small.runs) + " runs, end moved " + format_fixed(small.moved, 2) +
+          ", " + count_text(small.runs, "run") + ", end moved " + format_fixed(small.moved, 2) +
           " m\n";
   text += "  " + fairness_text(small.fairness, !setup.witnesses_in(small.scenario).empty()) + "\n";
   text += small.minimal ? "  minimal: each obstacle was removed alone\n"

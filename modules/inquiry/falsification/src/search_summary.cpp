@@ -59,7 +59,7 @@ std::string search_text(const SearchResult& result, const KeptFailures& kept,
   text += "kept      " + count_text(kept.failures.size(), "failure");
   if (kept.diversity) text += ", diversity " + format_fixed(*kept.diversity, 2);
   return text + (kept.near_duplicates > 0
-                     ? "; " + std::to_string(kept.near_duplicates) + " near-duplicates left out\n"
+                     ? "; " + count_text(kept.near_duplicates, "near-duplicate") + " left out\n"
                      : "\n");
 }
 

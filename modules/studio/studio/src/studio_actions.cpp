@@ -217,7 +217,7 @@ FormDescription deduplicate_form(Studio& studio) {
             parse_number(values.at("min_difference"), difference);
             const std::size_t removed =
                 studio.active()->deduplicate({{values.at("descriptor"), difference}});
-            studio.events().show_status(std::to_string(removed) + " near-duplicates removed");
+            studio.events().show_status(count_text(removed, "near-duplicate") + " removed");
           }};
 }
 

@@ -45,7 +45,7 @@ TEST(Failures, AreNamedByMethodOutcomeAndNumber) {
 
 TEST(Failures, AreDescribedWithTheirOriginAndTheProofThatTheyAreMinimal) {
   const std::string text = failure_text(made_up(0.2, Outcome::Collision), planted_setup("squeeze"));
-  for (const char* part : {"squeeze ends as collision", "candidate 7", "4 -> 1 obstacles",
+  for (const char* part : {"squeeze ends as collision", "candidate 7", "obstacles 4 -> 1",
                            "minimal", "without disc: mine: success", "no witness"})
     EXPECT_NE(text.find(part), std::string::npos) << text;
 }
