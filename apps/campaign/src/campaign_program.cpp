@@ -84,6 +84,10 @@ void check_analysis(const IniFile& ini, const AnalysisSection& section, Campaign
   for (const std::string& id : columns) require_one_of(id, known, ini.where("analysis", "columns"));
   for (const std::string& id : rows)
     require_one_of(id, options.descriptors, ini.where("analysis", "rows"));
+  const std::vector<std::string> methods = split(ini.get("campaign", "methods").value_or(""), ',');
+  if (!section.focus.empty() && !contains(methods, section.focus))
+    throw usage_error(ini.where("analysis", "focus"), "no method '" + section.focus + "'",
+                      expected_name(section.focus, methods));
 }
 
 /// Refuses a library that stops where no run succeeds.

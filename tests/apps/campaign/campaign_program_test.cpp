@@ -94,6 +94,9 @@ TEST_F(CampaignProgram, RejectsRowsOfAnUnknownDescriptorBeforeGeneration) {
 }
 
 TEST_F(CampaignProgram, RejectsADescriptorAsAColumnBeforeGeneration) {
+  EXPECT_TRUE(throws_error(ErrorKind::Usage,
+                           "--set analysis.focus: ", {"'dn'", "expected one of nd"},
+                           [this] { request_scenarios("analysis.focus=dn"); }));
   EXPECT_TRUE(throws_error(ErrorKind::Usage, "--set analysis.columns: ",
                            {"'density'", "expected one of success, optimality"},
                            [this] { request_scenarios("analysis.columns=success,density"); }));

@@ -573,13 +573,24 @@ Markup Leaderboard::differences() const {
                   "support")});
 }
 
+std::optional<std::size_t> Leaderboard::focus() const {
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (unmarked_name(input_.runs, name(row)) == input_.options.focus) return row;
+  return std::nullopt;
+}
+
+/// The first in the order that is not decided, one of the focus before all others.
 const PairedComparison* Leaderboard::open_pair() const {
+  const PairedComparison* first = nullptr;
+  const std::optional<std::size_t> own = focus();
   for (std::size_t i = 0; i < rows_.size(); ++i)
     for (std::size_t j = i + 1; j < rows_.size(); ++j) {
       const PairedComparison* c = pairs_[i][j];
-      if (c != nullptr && c->difference && !is_decided(*c) && !c->identical) return c;
+      if (c == nullptr || !c->difference || is_decided(*c) || c->identical) continue;
+      if (!own || i == *own || j == *own) return c;
+      if (first == nullptr) first = c;
     }
-  return nullptr;
+  return first;
 }
 
 /// " my.ini --set robot.radius=0.3".
@@ -617,6 +628,7 @@ Markup Leaderboard::look() const {
         (chosen == rows_.size() || rows_[row].solved_by_others > rows_[chosen].solved_by_others))
       chosen = row;
   if (chosen == rows_.size()) chosen = 0;
+  chosen = focus().value_or(chosen);
   const std::string method = unmarked_name(input_.runs, name(chosen));
   const MethodOverview& entry = rows_[chosen];
   const std::string why =
@@ -632,17 +644,18 @@ Markup Leaderboard::look() const {
 }
 
 Markup Leaderboard::do_better() const {
-  const MethodOverview& first = rows_[0];
-  const std::string method = unmarked_name(input_.runs, name(0));
+  const std::size_t own = focus().value_or(0);
+  const MethodOverview& first = rows_[own];
+  const std::string method = unmarked_name(input_.runs, name(own));
   const auto& interval = first.standing.method.cells[0].interval;
   if (interval && interval->low >= 0.9)
     return tag("li", {tag("b", {"Find its limit: "}),
-                      "the narrowest passage that " + name(0) + " passes reliably.",
+                      "the narrowest passage that " + name(own) + " passes reliably.",
                       command("slalom-certify limit" + campaign_words() + " --method " +
                               shell_word(method) + " --of passage.width -o " +
                               shell_word(input_.options.output + ".certificate.json"))});
   return tag("li", {tag("b", {"Do better: "}),
-                    "other values of the parameters that " + name(0) +
+                    "other values of the parameters that " + name(own) +
                         " declares, tested on scenarios that the search does not see.",
                     command("slalom-tune" + campaign_words() + " --method " + shell_word(method) +
                             " --runs 1000 -o " + shell_word(input_.options.output + "-tuned"))});

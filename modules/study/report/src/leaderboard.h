@@ -7,6 +7,7 @@
 
 #include <slalom/analysis/common_scenarios.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ class Leaderboard {
   void find_pairs();
   void count_solved();
   void choose_curve();
+  std::optional<std::size_t> focus() const;  ///< its row, if it is a method of the results
   const PairedComparison* open_pair() const;
 
   Markup head() const;

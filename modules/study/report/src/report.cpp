@@ -191,6 +191,7 @@ ReportOptions report_options(const ResultTable& runs) {
   options.rows = section.rows.empty() ? default_rows(runs) : parse_bin_specs(section.rows);
   options.columns = section.columns.empty() ? default_columns(runs) : split(section.columns, ',');
   options.analysis.confidence = section.confidence;
+  options.focus = section.focus;
   options.robot = read_robot_model(ini);
   options.sensor = read_sensor_model(ini);
   options.simulation = read_options<SimulationOptions>(ini, "simulation");

@@ -27,6 +27,7 @@ class FirstScreen : public ReportTest {
     options.output = "out/x";
     options.generates = true;
     options.seed = 7;
+    options.focus = focus_;
     write_report(results_path(), runs, options, report_folder().string());
     return read("index.html");
   }
@@ -37,6 +38,7 @@ class FirstScreen : public ReportTest {
   }
 
   std::vector<std::string> campaign_ = {"my.ini"};
+  std::string focus_;
 };
 
 TEST_F(FirstScreen, AnswersWhichMethodIsBest) {
@@ -116,6 +118,16 @@ TEST_F(FirstScreen, ProposesCommandsOfTheCampaign) {
             1u);
   campaign_ = {};
   EXPECT_EQ(count(screen_of({{"a", 30}}, 40), "What next"), 0u);
+}
+
+TEST_F(FirstScreen, ProposesWhatNextForTheMethodInFocus) {
+  focus_ = "c";
+  const std::string page = screen_of({{"a", 38}, {"b", 37}, {"c", 36}, {"d", 2}}, 40);
+  const auto commands = all_matches(page, "<code class=\"command\">([^<]*)</code>");
+  ASSERT_EQ(commands.size(), 3u);
+  EXPECT_EQ(count(page, "tell a from c"), 1u) << "not a from b";
+  for (const std::size_t line : {1u, 2u})
+    EXPECT_NE(commands[line].find(" --method c "), std::string::npos) << commands[line];
 }
 
 TEST_F(FirstScreen, FoldsTheRowsOfManyMethods) {

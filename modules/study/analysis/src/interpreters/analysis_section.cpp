@@ -9,6 +9,7 @@ void AnalysisSection::visit(OptionVisitor& v) {
   v.option("columns", columns, "metrics of cross tables: ids, comma-separated");
   v.option("confidence", confidence, "-", "confidence of intervals", Range::between(0.5, 0.9999));
   v.option("report", report, "slalom-evaluate writes the HTML report");
+  v.option("focus", focus, "your method, for which the report proposes what next; empty: any");
 }
 
 }  // namespace slalom

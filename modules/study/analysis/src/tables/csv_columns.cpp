@@ -453,8 +453,9 @@ class NumberColumns {
     for (const QuantityInfo& known : options_.known) {
       if (known.id != info.id) continue;
       require(info.id, values,
-              (known.is_rate() ? "0 or 1" : "a number " + known.range.text()) + ", or --range " +
-                  info.id + "=LOW..HIGH for a quantity that is not Slalom's",
+              known.is_rate() ? "0 or 1, or --range " + info.id + "=0..1 for means of runs"
+                              : "a number " + known.range.text() + ", or --range " + info.id +
+                                    "=LOW..HIGH for a quantity that is not Slalom's",
               [&](double number) {
                 return known.is_rate() ? is_bit(number) : known.range.contains(number);
               });

@@ -13,6 +13,7 @@ struct AnalysisSection {
   std::string columns;       ///< metric ids, comma separated; empty: success, optimality, safety
   double confidence = 0.95;  ///< of intervals
   bool report = true;        ///< slalom-evaluate writes the HTML report
+  std::string focus;         ///< the method for which the report proposes what next; empty: any
 
   void visit(OptionVisitor& v);
 };

@@ -29,6 +29,7 @@ struct ReportOptions {
   /// ("my.ini", "--set", "robot.radius=0.3"); empty: none are proposed.
   std::vector<std::string> campaign = {};
   std::string output = {};  ///< of the campaign, as it was typed
+  std::string focus = {};   ///< the method that these commands are about; empty: any
   std::uint64_t seed = 1;   ///< of the campaign
   bool generates = false;   ///< its scenarios, so that there can be more of them
 };
