@@ -163,7 +163,8 @@ Leaderboard::Leaderboard(const ReportInput& input, const CommonFacts& facts)
       facts_(facts),
       rows_(input.overview),
       pairs_(input.overview.size(),
-             std::vector<const PairedComparison*>(input.overview.size(), nullptr)) {
+             std::vector<const PairedComparison*>(input.overview.size(), nullptr)),
+      counts_runs_(counts_runs(input.runs)) {
   find_pairs();
   count_solved();
   choose_curve();
@@ -226,11 +227,6 @@ std::string Leaderboard::color(std::size_t row) const {
   return method_color(index_of_method(input_.runs, name(row)));
 }
 
-bool Leaderboard::counts_runs() const {
-  const ValueColumn* values = find_metric(input_.runs, kSuccess);
-  return values == nullptr || values->info().is_rate();
-}
-
 std::string Leaderboard::runs_text(std::size_t row) const {
   const Cell& cell = rows_[row].standing.method.cells[0];
   const auto successes =
@@ -250,7 +246,7 @@ std::string Leaderboard::answer() const {
     return "No method reaches the goal in any of " + count_text(input_.runs.size(), "run");
   const double rate = *rows_[0].standing.method.cells[0].estimate;
   const std::string mean = "a mean success of " + format_fixed(rate, 2);
-  const std::string reaches = counts_runs() ? "reaches the goal in " + runs_text(0) : "has " + mean;
+  const std::string reaches = counts_runs_ ? "reaches the goal in " + runs_text(0) : "has " + mean;
   if (rows_.size() == 1) return name(0) + " " + reaches;
   std::vector<std::size_t> equal, open, better;
   for (std::size_t row = 1; row < rows_.size(); ++row) {
@@ -259,14 +255,16 @@ std::string Leaderboard::answer() const {
     if (*rows_[row].standing.method.cells[0].estimate == rate) equal.push_back(row);
   }
   if (!better.empty())
-    return name(0) + " succeeds most often, " +
-           (counts_runs() ? "in " + runs_text(0) : "with " + mean) + ", but " + names_text(better) +
-           (better.size() == 1 ? " is" : " are") + " better in the scenarios of both";
+    return name(0) +
+           (counts_runs_ ? " succeeds most often, in " + runs_text(0)
+                         : " has the largest mean success, " + format_fixed(rate, 2)) +
+           ", but " + names_text(better) + (better.size() == 1 ? " is" : " are") +
+           " better in the scenarios of both";
   if (!equal.empty())
     return name(0) + (equal.size() > 1 ? ", " : " and ") + names_text(equal) +
            " lead with a success of " + percent(rate) + " %: they are not told apart";
   if (open.empty()) return name(0) + " is best: it " + reaches;
-  return name(0) + " leads with " + (counts_runs() ? runs_text(0) : mean) + ", but " +
+  return name(0) + " leads with " + (counts_runs_ ? runs_text(0) : mean) + ", but " +
          names_text(open) + (open.size() == 1 ? " is" : " are") + " not told apart from it";
 }
 
@@ -275,10 +273,10 @@ Markup Leaderboard::certainty() const {
   std::vector<std::string> sentences;
   const PairedComparison* c = rows_.size() < 2 ? nullptr : pairs_[0][1];
   if (rows_.size() == 1 && rows_[0].standing.method.cells[0].interval)
-    sentences.push_back("Its success rate is within " +
-                        interval_of_percent(*rows_[0].standing.method.cells[0].interval) +
-                        " % with " + percent_text(input_.options.analysis.confidence) +
-                        " % confidence.");
+    sentences.push_back(
+        "Its " + std::string(counts_runs_ ? "success rate" : "mean success") + " is within " +
+        interval_of_percent(*rows_[0].standing.method.cells[0].interval) + " % with " +
+        percent_text(input_.options.analysis.confidence) + " % confidence.");
   if (c != nullptr && c->scenarios > 0 && c->difference) {
     const bool b_first = c->b == name(0);
     const std::size_t more = b_first ? c->higher : c->lower, fewer = b_first ? c->lower : c->higher;

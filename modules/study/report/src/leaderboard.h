@@ -34,14 +34,14 @@ class Leaderboard {
   std::vector<std::vector<const PairedComparison*>> pairs_;  ///< in success, by rows; null: none
   std::size_t solved_by_any_ = 0, scenarios_ = 0;
   bool knows_outcomes_ = true;  ///< of all runs
-  std::size_t curve_ = 0;       ///< index of the cross tables whose trends in success are strongest
+  bool counts_runs_;
+  std::size_t curve_ = 0;  ///< index of the cross tables whose trends in success are strongest
   bool has_curve_ = false;
   std::vector<CommonScenarios> common_;
 
   const std::string& name(std::size_t row) const { return rows_[row].standing.method.method; }
   std::string color(std::size_t row) const;
   bool beats(std::size_t row, std::size_t other) const;
-  bool counts_runs() const;  ///< a success is 0 or 1, not a mean of several runs
   std::string runs_text(std::size_t row) const;  ///< "63 of 70 runs" with a success
   std::string names_text(const std::vector<std::size_t>& rows) const;
   std::string common_text() const;

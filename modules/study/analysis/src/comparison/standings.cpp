@@ -54,6 +54,11 @@ std::string Standing::letters() const {
   return text;
 }
 
+bool counts_runs(const ResultTable& table) {
+  const ValueColumn* success = find_metric(table, "success");
+  return success == nullptr || success->info().is_rate();
+}
+
 const PairedComparison* success_comparison(const std::vector<PairedComparison>& family,
                                            const std::string& one, const std::string& other) {
   for (const PairedComparison& c : family) {

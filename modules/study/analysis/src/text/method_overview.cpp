@@ -21,13 +21,15 @@ std::string percent(double fraction) {
   return format_fixed(100 * fraction, 0) + " %";
 }
 
-std::string success_clause(const MethodSummary& method) {
+std::string success_clause(const MethodSummary& method, bool of_runs) {
   const Cell& cell = method.cells[0];
-  std::string text = method.method + " succeeds in " + percent(*cell.estimate);
+  std::string text = method.method + (of_runs ? " succeeds in " : " has a mean success of ") +
+                     percent(*cell.estimate);
   if (cell.interval)
     text += " [" + format_fixed(100 * cell.interval->low, 0) + ", " +
             format_fixed(100 * cell.interval->high, 0) + "]";
-  return text + " of " + count_text(cell.available, "run");
+  return text + (of_runs ? " of " : " over ") +
+         count_text(cell.available, of_runs ? "run" : "value");
 }
 
 /// "it falls from 100 % to 42 % with density (in [0, 0.1) and [0.3, 0.4], p = 0.0046)"; empty if no
@@ -254,9 +256,14 @@ std::string leader_sentence(const ResultTable& table, const std::vector<PairedCo
   if (order.size() < 2) return "";
   const MethodSummary &first = order[0].method, &second = order[1].method;
   const double best = *first.cells[0].estimate, next = *second.cells[0].estimate;
-  return first.method + " succeeds most often (" + percent(best) + " of " +
-         count_text(first.cells[0].available, "run") + "), " + second.method +
-         (next == best ? " as often" : " second") + " (" + percent(next) + "): " +
+  const bool of_runs = counts_runs(table);
+  return first.method + (of_runs ? " succeeds most often (" : " has the largest mean success (") +
+         percent(best) + (of_runs ? " of " + count_text(first.cells[0].available, "run") : "") +
+         "), " + second.method +
+         (next != best ? " second"
+          : of_runs    ? " as often"
+                       : " the same") +
+         " (" + percent(next) + "): " +
          answer(success_comparison(family, first.method, second.method), first.method,
                 second.method);
 }
@@ -269,7 +276,7 @@ std::vector<MethodOverview> build_overview(const ResultTable& table,
   const ScenarioCounts counts = count_scenarios(table);
   for (Standing& standing : build_standings(table, family, options)) {
     const MethodSummary& method = standing.method;
-    std::vector<std::string> clauses = {success_clause(method)};
+    std::vector<std::string> clauses = {success_clause(method, counts_runs(table))};
     for (const CrossTable& cross : tables)
       if (cross.method == method.method) clauses.push_back(trend_clause(cross));
     clauses.push_back(outcome_clause(method, table, options.confidence));

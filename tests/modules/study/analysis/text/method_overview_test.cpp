@@ -137,5 +137,18 @@ TEST(MethodOverview, SpeaksOfCollisionsOnlyIfTheyAreKnown) {
   EXPECT_EQ(sentence_of("collided,time\n0,5\n1,4\n"), "") << "success is not known";
 }
 
+TEST(MethodOverview, SpeaksOfMeansWhereSuccessIsNotThatOfRuns) {
+  CsvColumnOptions stated;
+  stated.ranges = {{"success", {0, 1}}};
+  const ResultTable table = columns_from_csv(
+      "method,scenario,success\na,1,0.9\na,2,0.8\nb,1,0.5\nb,2,0.4\n", "t.csv", stated);
+  const std::string leader = leader_of(table);
+  EXPECT_EQ(leader.rfind("a has the largest mean success (85 %), b second (45 %): ", 0), 0u)
+      << leader;
+  const std::string sentence = build_overview(table, {}, {}, {})[0].sentence;
+  EXPECT_EQ(sentence.rfind("a has a mean success of 85 %", 0), 0u) << sentence;
+  EXPECT_NE(sentence.find(" over 2 values"), std::string::npos) << sentence;
+}
+
 }  // namespace
 }  // namespace slalom

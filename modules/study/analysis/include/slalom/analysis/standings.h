@@ -30,6 +30,10 @@ std::vector<Standing> build_standings(const ResultTable& table,
                                       const std::vector<PairedComparison>& family,
                                       const AnalysisOptions& options);
 
+/// Whether success is that of single runs; otherwise its values are means of unknown numbers of
+/// runs.
+bool counts_runs(const ResultTable& table);
+
 /// The comparison of two methods in success; null if there is none.
 const PairedComparison* success_comparison(const std::vector<PairedComparison>& family,
                                            const std::string& one, const std::string& other);
