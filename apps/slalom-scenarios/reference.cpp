@@ -8,6 +8,7 @@
 #include <slalom/io/scenario_list.h>
 #include <slalom/ompl/ompl_planner.h>
 #include <slalom/references/earliest_arrival.h>
+#include <slalom/references/footprint_path.h>
 #include <slalom/workers/worker_pool.h>
 
 #include <iostream>
@@ -35,6 +36,7 @@ std::string compute(const ReferenceArguments& arguments, const ScenarioList::Ent
   const auto planner = make_ompl_planner(arguments.planner, arguments.robot);
   References references =
       compute_references(problem, planner.get(), arguments.planner.gap, arguments.seed);
+  refuse_obstructed(problem, arguments.robot.shape(), arguments.arrival.goal_tolerance, references);
   add_earliest_arrival(problem, arguments.arrival, references);
   return arguments.list.json ? render_json(references, entry.id, entry.name)
                              : render_text(references, entry.id, entry.name);

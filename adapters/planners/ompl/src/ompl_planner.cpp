@@ -4,6 +4,7 @@
 #include "pose_smoothing.h"
 
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/references/footprint_path.h>
 #include <slalom/references/turning_bound.h>
 
 #include <ompl/base/ProblemDefinition.h>
@@ -29,9 +30,10 @@ namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
+using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-/// The planner of poses if only the exact search is asked for, which plans for discs.
+/// The planner of cars if only the exact search is asked for, which plans for discs.
 constexpr char kPosePlanner[] = "RRTstar";
 
 using PlannerMaker = std::function<ob::PlannerPtr(const ob::SpaceInformationPtr&)>;
@@ -126,16 +128,18 @@ class OmplPlanner : public ReferencePlanner {
   OmplOptions options_;
 };
 
-/// For robots whose heading matters: from the roadmap along exact shortest paths of discs; by OMPL
-/// if that is not within the gap. Both are smoothed.
+/// For robots whose heading matters: from the roadmap along exact shortest paths of discs; for
+/// polygons that turn in place, if that is not within the gap, from a lattice of poses; by OMPL.
+/// All are smoothed.
 class PosePlanner : public ReferencePlanner {
  public:
   PosePlanner(OmplOptions options, RobotModel robot)
       : options_(std::move(options)), robot_(std::move(robot)) {
-    if (options_.planner == kExactPlanner) options_.planner = kPosePlanner;
+    is_sampled_ = options_.planner != kExactPlanner || robot_.min_turning_radius > 0;
+    if (is_sampled_ && options_.planner == kExactPlanner) options_.planner = kPosePlanner;
   }
 
-  std::string name() const override { return options_.planner; }
+  std::string name() const override { return is_sampled_ ? options_.planner : "lattice"; }
   Objective objective() const override { return options_.objective; }
 
   std::optional<double> lower_bound(const PlanningProblem& problem,
@@ -149,15 +153,17 @@ class PosePlanner : public ReferencePlanner {
     const auto motions = make_pose_motions(problem.world, robot_);
     std::vector<TPose2D> poses;
     if (options_.objective == Objective::Length) {
-      poses = smooth(*motions, path_on_roadmap(problem, *motions));
       const double enough = (1 + options_.gap) * exact.shortest->certificate.lower_bound;
-      if (poses.empty() || length(*motions, poses) > enough) {
-        std::vector<TPose2D> others =
-            smooth(*motions, planned(problem, exact, seed, *motions, poses));
+      const auto is_enough = [&] { return !poses.empty() && length(*motions, poses) <= enough; };
+      const auto improve = [&](std::vector<TPose2D> others) {
+        others = smooth(*motions, std::move(others));
         if (poses.empty() ||
             (!others.empty() && length(*motions, others) < length(*motions, poses)))
           poses = std::move(others);
-      }
+      };
+      if (robot_.min_turning_radius == 0) improve(path_on_lattice(problem));
+      if (!is_enough()) improve(path_on_roadmap(problem, *motions));
+      if (is_sampled_ && !is_enough()) improve(planned(problem, exact, seed, *motions, poses));
     } else {
       poses = planned(problem, exact, seed, *motions, {});
     }
@@ -166,6 +172,16 @@ class PosePlanner : public ReferencePlanner {
   }
 
  private:
+  /// Empty if none is found.
+  std::vector<TPose2D> path_on_lattice(const PlanningProblem& problem) const {
+    std::string reason;
+    const auto path = find_footprint_path(problem.world, robot_.shape(),
+                                          {problem.start.x, problem.start.y, problem.start_heading},
+                                          problem.goal, 0, reason, SearchEffort::Thorough);
+    if (!path || TPoint2D(path->poses.back()) != problem.goal) return {};
+    return path->poses;
+  }
+
   /// Runs OMPL's planner; empty if it finds no path.
   std::vector<TPose2D> planned(const PlanningProblem& problem, const References& exact,
                                std::uint64_t seed, const PoseMotions& motions,
@@ -181,6 +197,7 @@ class PosePlanner : public ReferencePlanner {
 
   OmplOptions options_;
   RobotModel robot_;
+  bool is_sampled_;  ///< by OMPL's planner
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <slalom/people/run_alone.h>
 #include <slalom/references/earliest_arrival.h>
 #include <slalom/references/exact_shortest.h>
+#include <slalom/references/footprint_path.h>
 #include <slalom/results/lack_of_time.h>
 
 #include <algorithm>
@@ -73,6 +74,7 @@ References find_references(const CampaignOptions& options, const ReferencePlanne
   References references =
       compute_references(problem, planner, options.reference_gap,
                          derive_seed(options.seed, "reference/" + world.scenario().hash()));
+  refuse_obstructed(problem, options.robot.shape(), options.simulation.goal_tolerance, references);
   add_arrival(options, problem, references);
   return references;
 }

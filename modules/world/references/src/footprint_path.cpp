@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pose_boxes.h"
+
 #include <slalom/core/distance.h>
 #include <slalom/core/math.h>
 #include <slalom/core/pose.h>
@@ -10,11 +12,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <queue>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -22,10 +26,13 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-/// Spacing of positions as a fraction of the robot's half width.
-constexpr double kSpacing = 0.125;
-/// Weight of the distance that is left: more is faster, and paths get longer.
-constexpr double kGreed = 1.3;
+/// Spacings of positions as fractions of the robot's half width, one after the other.
+constexpr std::array kSpacings = {0.125, 0.2};
+/// How near to the goal a path ends, in the same.
+constexpr double kReach = 1.0 / 6;
+/// Weights of the distance that is left, among cells and by boxes: more is faster, and paths get
+/// longer.
+constexpr double kGreed = 1.3, kGreedByBoxes = 1.7;
 /// Length (m) that is worth a turn by 1 rad, as a fraction of the enclosing radius.
 constexpr double kTurnCost = 0.2;
 constexpr int kMaxExpanded = 30000;
@@ -105,19 +112,34 @@ class CellDistances {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
+/// m, from the center to the nearer side. What a robot that drives ahead comes closest to is beside
+/// its center then, be it after a turn in place: it is no closer than this, but at start and goal.
+double side_clearance(const Footprint& footprint) {
+  double nearest = footprint.is_disc() ? footprint.enclosing_radius() : HUGE_VAL;
+  const std::vector<TPoint2D>& corners = footprint.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const TPoint2D &p = corners[i], &q = corners[(i + 1) % corners.size()];
+    if ((p.x < 0) != (q.x < 0))
+      nearest = std::min(nearest, std::abs(p.y + (q.y - p.y) * p.x / (p.x - q.x)));
+  }
+  return nearest;
+}
+
+/// The weighted distance (m) to the goal that is left from a pose; infinite: no way is left.
+using Guide = std::function<double(const TPose2D&)>;
+
 class LatticeSearch {
  public:
   LatticeSearch(const World& world, const Footprint& footprint, const TPose2D& start,
-                const TPoint2D& goal, double margin)
-      : contact_(make_footprint_contact(world, footprint)),
+                const TPoint2D& goal, double margin, double spacing, Guide guide)
+      : guide_(std::move(guide)),
+        contact_(make_footprint_contact(world, footprint)),
         start_(start),
         goal_(goal),
         margin_(margin),
-        spacing_(kSpacing * footprint.half_width()),
-        turn_cost_(kTurnCost * footprint.enclosing_radius()),
-        // Half a cell less, since the robot may be anywhere in it.
-        rest_(world, goal,
-              footprint.half_width() + margin - world.occupancy().resolution() * M_SQRT1_2) {
+        spacing_(spacing),
+        reach_(kReach * footprint.half_width()),
+        turn_cost_(kTurnCost * footprint.enclosing_radius()) {
     for (int i = 0; i < kDirections; ++i) {
       const auto [x, y] = step_of(i);
       headings_[static_cast<unsigned>(i)] = math::atan2(y, x);
@@ -133,16 +155,13 @@ class LatticeSearch {
       State& state = states_.at(node);
       if (state.closed) continue;
       state.closed = true;
-      if (distance_between(position(node), goal_) <= kReach * spacing_) return path_to(node);
+      if (distance_between(position(node), goal_) <= reach_) return path_to(node);
       expand(node, state.cost);
     }
     return std::nullopt;
   }
 
-  bool is_exhausted() const { return queue_.empty(); }
-
  private:
-  static constexpr double kReach = 1.3;  // half the diagonal of four positions, and some more
   struct State {
     Node from;
     double cost = std::numeric_limits<double>::infinity();
@@ -172,8 +191,8 @@ class LatticeSearch {
     State& state = states_[node];
     if (state.closed || cost >= state.cost) return;
     state = {from, cost, false};
-    const double rest = rest_.at(position(node));
-    if (rest < std::numeric_limits<double>::infinity()) queue_.push({cost + kGreed * rest, node});
+    const double rest = guide_(pose(node));
+    if (rest < std::numeric_limits<double>::infinity()) queue_.push({cost + rest, node});
   }
 
   bool is_known(const Node& node) const {
@@ -231,15 +250,31 @@ class LatticeSearch {
   }
 
   static constexpr double kLongStep = 8;  // in positions
+  Guide guide_;
   std::unique_ptr<FootprintContact> contact_;
   TPose2D start_;
   TPoint2D goal_;
-  double margin_, spacing_, turn_cost_;
-  CellDistances rest_;
+  double margin_, spacing_, reach_;  ///< m
+  double turn_cost_;                 ///< m/rad
   std::array<double, kDirections> headings_ = {};
   std::unordered_map<Node, State, NodeHash> states_;
   std::priority_queue<Entry> queue_;
 };
+
+/// Turns to a point and drives there; false if the robot comes closer than the margin.
+bool drive_to(const TPoint2D& next, const FootprintContact& contact, double margin,
+              FootprintPath& path) {
+  const TPose2D at = path.poses.back();
+  const double length = distance_between(at, next);
+  if (length == 0) return true;
+  const double heading = math::atan2(next.y - at.y, next.x - at.x);
+  const TPose2D turned(at.x, at.y, heading), driven(next.x, next.y, heading);
+  if (!contact.is_free(at, turned, margin) || !contact.is_free(turned, driven, margin))
+    return false;
+  path.poses.insert(path.poses.end(), {turned, driven});
+  path.length += length;
+  return true;
+}
 
 /// The path of a disc, along which the robot drives: it turns in place where the path bends.
 /// nullopt if the robot touches something.
@@ -249,17 +284,8 @@ std::optional<FootprintPath> along(const DiscPath& disc, const Occupancy& cells,
   constexpr double kExcess = 1e-3;  // of the length: fewer turns on arcs
   FootprintPath path;
   path.poses.push_back(start);
-  for (const TPoint2D& next : to_polyline(disc, cells, kExcess)) {
-    const TPose2D at = path.poses.back();
-    const double length = distance_between(at, next);
-    if (length == 0) continue;
-    const double heading = math::atan2(next.y - at.y, next.x - at.x);
-    for (const TPose2D& pose : {TPose2D(at.x, at.y, heading), TPose2D(next.x, next.y, heading)}) {
-      if (!contact.is_free(path.poses.back(), pose, margin)) return std::nullopt;
-      path.poses.push_back(pose);
-    }
-    path.length += length;
-  }
+  for (const TPoint2D& next : to_polyline(disc, cells, kExcess))
+    if (!drive_to(next, contact, margin, path)) return std::nullopt;
   return path;
 }
 
@@ -267,7 +293,8 @@ std::optional<FootprintPath> along(const DiscPath& disc, const Occupancy& cells,
 
 std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
                                                  const TPose2D& start, const TPoint2D& goal,
-                                                 double margin, std::string& reason) {
+                                                 double margin, std::string& reason,
+                                                 SearchEffort effort) {
   if (!shortest_disc_path(world.occupancy(), footprint.inscribed_radius(), TPoint2D(start), goal,
                           reason))
     return std::nullopt;
@@ -278,19 +305,50 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
   }
   // Wider discs leave more room to turn.
   const double least = footprint.half_width() + margin, most = footprint.enclosing_radius();
-  for (const double room : {0.02, 0.25, 0.5, 0.75}) {
+  constexpr double kExcess = 5e-4;  // m: contact is somewhat nearer than the margin
+  const auto between = [&](double room) { return least + room * (most - least); };
+  for (const double radius :
+       {between(0.02), between(0.25), between(0.5), between(0.75), most + margin + kExcess}) {
     std::string no_path;
-    const auto disc = shortest_disc_path(world.occupancy(), least + room * (most - least),
-                                         TPoint2D(start), goal, no_path);
+    const auto disc = shortest_disc_path(world.occupancy(), radius, TPoint2D(start), goal, no_path);
     if (!disc) break;  // nor has a wider one
     if (auto path = along(*disc, world.occupancy(), *contact, start, margin)) return path;
   }
-  LatticeSearch search(world, footprint, start, goal, margin);
-  std::optional<FootprintPath> path = search.run();
-  if (!path)
-    reason = search.is_exhausted() ? "no path was found for the shape of the robot"
-                                   : "the search for a path of the robot's shape took too long";
-  return path;
+  const double reach = kReach * footprint.half_width();
+  std::optional<PoseBoxes<1>> boxes;
+  if (can_divide(world, 1)) boxes.emplace(world, footprint, goal, reach);
+  if (boxes && boxes->separates(start)) {
+    reason = kObstructed;
+    return std::nullopt;
+  }
+  const auto search = [&](double spacing, Guide guide) {
+    auto path = LatticeSearch(world, footprint, start, goal, margin,
+                              spacing * footprint.half_width(), std::move(guide))
+                    .run();
+    if (path) drive_to(goal, *contact, margin, *path);
+    return path;
+  };
+  if (effort == SearchEffort::Thorough && boxes) {
+    const std::vector<std::uint16_t> steps = boxes->steps_to_goal(goal, reach);
+    const Guide guide = [&](const TPose2D& pose) {
+      return boxes->leads_to_goal(pose) ? kGreedByBoxes * world.occupancy().resolution() *
+                                              steps[*boxes->position_of(TPoint2D(pose))]
+                                        : std::numeric_limits<double>::infinity();
+    };
+    for (const double spacing : kSpacings)
+      if (auto path = search(spacing, guide)) return path;
+  }
+  // Half a cell less, since the robot may be anywhere in it.
+  const double clearance =
+      side_clearance(footprint) + margin - world.occupancy().resolution() * M_SQRT1_2;
+  const CellDistances rest(world, goal, clearance);
+  const Guide guide = [&](const TPose2D& pose) { return kGreed * rest.at(TPoint2D(pose)); };
+  if (auto path = search(kSpacings[0], guide)) return path;
+  reason =
+      effort == SearchEffort::Thorough && is_obstructed(world, footprint, start, goal, reach, 2)
+          ? kObstructed
+          : "no path was found for the robot's shape, nor proved that there is none";
+  return std::nullopt;
 }
 
 }  // namespace slalom

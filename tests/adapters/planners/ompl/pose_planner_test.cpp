@@ -8,6 +8,7 @@
 #include <slalom/core/distance.h>
 #include <slalom/core/text.h>
 #include <slalom/ompl/ompl_planner.h>
+#include <slalom/references/footprint_path.h>
 #include <slalom/references/reference_codec.h>
 
 #include <gtest/gtest.h>
@@ -112,12 +113,22 @@ TEST(PosePlanner, WithoutAPathOfTheRobotTheUpperBoundIsInfinite) {
   walls.polygons.push_back({{{0, 0.8}, {7.2, 0.8}, {7.2, 8}, {0, 8}}});
   const World world(Scenario::continuous("bend", {0, 0, 8, 8}, walls, {1.5, 0.4, 0}, {7.6, 6}),
                     0.05);
-  const References references =
-      references_of(world, rectangle("1.2,0.15; -1.2,0.15; -1.2,-0.15; 1.2,-0.15"));
+  const RobotModel robot = rectangle("1.2,0.15; -1.2,0.15; -1.2,-0.15; 1.2,-0.15");
+  References references = references_of(world, robot);
   const ShortestPath& shortest = references.shortest.value();
   EXPECT_TRUE(std::isinf(shortest.certificate.upper_bound));
-  EXPECT_EQ(shortest.note, "RRTstar found no path");
+  EXPECT_EQ(shortest.note, "lattice found no path");
   EXPECT_GT(shortest.certificate.lower_bound, 10);
+
+  refuse_obstructed(problem_of(world, robot), robot.shape(), 0.2, references);
+  EXPECT_EQ(references.unsolvable_reason(), kObstructed);
+  EXPECT_FALSE(references.shortest || references.safest);
+
+  const RobotModel shorter = rectangle("0.4,0.15; -0.4,0.15; -0.4,-0.15; 0.4,-0.15");
+  references = references_of(world, shorter);
+  EXPECT_TRUE(std::isfinite(references.shortest->certificate.upper_bound));
+  refuse_obstructed(problem_of(world, shorter), shorter.shape(), 0.2, references);
+  EXPECT_EQ(references.unsolvable_reason(), "");
 }
 
 TEST(PosePlanner, OmplStartsFromThePathOfTheRoadmapIfItIsNotWithinTheGap) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "reference_worlds.h"
+
 #include <slalom/core/distance.h>
 #include <slalom/core/pose.h>
 #include <slalom/core/random.h>
@@ -23,9 +25,6 @@ using mrpt::math::TPose2D;
 using Point = boost::geometry::model::d2::point_xy<double>;
 using Shape = boost::geometry::model::polygon<Point, false>;
 
-constexpr char kRectangle[] = "0.42,0.21; -0.42,0.21; -0.42,-0.21; 0.42,-0.21";
-constexpr char kRearAxle[] = "0.69,0.29; -0.2,0.29; -0.2,-0.29; 0.69,-0.29";
-constexpr char kCorner[] = "0.5,0.25; -0.3,0.25; -0.3,-0.35; -0.05,-0.35; -0.05,-0.1; 0.5,-0.1";
 constexpr double kMargin = 0.01;
 
 Shape shape_of(const std::vector<TPoint2D>& corners) {
@@ -76,7 +75,7 @@ void expect_valid(const World& world, const Footprint& footprint, const Footprin
 std::optional<FootprintPath> find_path(const World& world, const Footprint& footprint,
                                        std::string& reason) {
   return find_footprint_path(world, footprint, world.scenario().start(), world.scenario().goal(),
-                             kMargin, reason);
+                             kMargin, reason, SearchEffort::Thorough);
 }
 
 /// A wall with a door of this width (m); the way leads through it at an angle.
@@ -183,13 +182,13 @@ TEST(FootprintPath, OfARoundPolygonIsThatOfTheDisc) {
     const auto path = find_path(world, footprint, reason);
     const auto narrow =
         shortest_disc_path(world.occupancy(), kRadius, {1.2, 1.2}, {6.8, 6.8}, reason);
-    const auto wide = shortest_disc_path(world.occupancy(), kRadius + 3 * kMargin, {1.2, 1.2},
+    const auto wide = shortest_disc_path(world.occupancy(), kRadius + kMargin + 1e-3, {1.2, 1.2},
                                          {6.8, 6.8}, reason);
     EXPECT_TRUE(path || !wide) << seed;
     EXPECT_TRUE(narrow || !path) << seed;
     if (!path || !wide) continue;
     EXPECT_GE(path->length, narrow->length - kRadius / 6);
-    EXPECT_LE(path->length, 1.3 * wide->length);
+    EXPECT_LE(path->length, 1.001 * wide->length) << "fewer turns on arcs";
   }
 }
 

@@ -6,6 +6,11 @@
 
 namespace slalom {
 
+/// Footprints: a rectangle, one with the center near its rear, one with a recess.
+constexpr char kRectangle[] = "0.42,0.21; -0.42,0.21; -0.42,-0.21; 0.42,-0.21";
+constexpr char kRearAxle[] = "0.69,0.29; -0.2,0.29; -0.2,-0.29; 0.69,-0.29";
+constexpr char kCorner[] = "0.5,0.25; -0.3,0.25; -0.3,-0.35; -0.05,-0.35; -0.05,-0.1; 0.5,-0.1";
+
 inline PlanningProblem problem_of(const World& world, double radius) {
   const auto& start = world.scenario().start();
   return {world, radius, {start.x, start.y}, world.scenario().goal()};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/references/reference.h>
 #include <slalom/robot/footprint.h>
-#include <slalom/scenario/world.h>
 
 #include <mrpt/math/TPose2D.h>
 
@@ -19,17 +19,43 @@ struct FootprintPath {
   double length = 0;  ///< m, of the way of the center
 };
 
+/// How long find_footprint_path() searches: tenths of a second at most where draws that it does not
+/// solve are replaced by others, or about a second.
+enum class SearchEffort { Quick, Thorough };
+
 /// Searches for a path on which a robot that turns in place and drives forward keeps `margin` (m)
-/// from all obstacles, checked as the motion of a run is. It ends at most a sixth of the robot's
-/// half width from the goal, with any heading. nullopt with `reason` if none was found: that is no
-/// proof that there is none, unless a disc in the robot has no path.
+/// from all obstacles, checked as the motion of a run is. It ends at the goal with any heading,
+/// or where that is not found at most a sixth of the robot's half width from it. nullopt with
+/// `reason` if none was found: that is a proof that there is none if a disc in the robot has no
+/// path, or the robot is_obstructed().
 ///
 /// Method: shortest paths of discs of half the width and more, driven along; where the robot does
 /// not pass on them, weighted A* on a lattice of positions around the start and 32 directions from
-/// one of them to others, guided by distances among cells that are wide enough for half the width.
+/// one of them to others, guided by distances among cells that are wide enough for its sides, or
+/// thoroughly by the boxes of is_obstructed() between a pose and the goal.
 std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
                                                  const mrpt::math::TPose2D& start,
                                                  const mrpt::math::TPoint2D& goal, double margin,
-                                                 std::string& reason);
+                                                 std::string& reason,
+                                                 SearchEffort effort = SearchEffort::Quick);
+
+/// The reason that is_obstructed() is.
+constexpr char kObstructed[] = "no motion of the robot's shape leads from start to goal";
+
+/// Whether it is proved that no motion of a polygon, of whatever drive, leads from `start` to a
+/// position within `reach` (m) of `goal`: false says nothing.
+///
+/// Method: poses are divided into boxes, of a cell's side / `divisions` (1 or 2) and of
+/// 2 pi / (64 `divisions`). A box is closed if one square of occupied cells meets the polygon at
+/// all of its poses, which separating axes decide for convex parts of the polygon that they all
+/// cover. No motion enters a closed box, so that none leads where no sequence of neighbors among
+/// the others does. Scenarios with more than 16 million boxes of 64 directions are not divided.
+bool is_obstructed(const World& world, const Footprint& footprint, const mrpt::math::TPose2D& start,
+                   const mrpt::math::TPoint2D& goal, double reach, int divisions);
+
+/// If is_obstructed() a polygon for which no planner found a path, replaces the paths of its disc
+/// by that reason.
+void refuse_obstructed(const PlanningProblem& problem, const Footprint& footprint, double reach,
+                       References& references);
 
 }  // namespace slalom
