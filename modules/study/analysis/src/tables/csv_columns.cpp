@@ -372,6 +372,10 @@ class NumberColumns {
       truth = truth || truth_of(field, is_end);
     }
     if (!any) return false;
+    for (std::size_t row = 0; percent && row < values.size(); ++row)
+      if (!values[row].is_na() && fields[row].back() != '%' && std::abs(values[row].number()) > 1)
+        throw file_error(csv_.where(row), shown(id) + " is " + fields[row] + " beside percent",
+                         "a fraction of 1, or % in each row");
     if (!percent && is_percent_of_ends(id, values)) {
       percent = true;
       for (Value& value : values)

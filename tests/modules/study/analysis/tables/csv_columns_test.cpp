@@ -391,6 +391,15 @@ CsvColumnOptions with_known() {
   return options;
 }
 
+TEST(CsvColumns, ANumberBesidePercentIsAFraction) {
+  EXPECT_EQ(find_metric(columns_from_csv("load\n85%\n0.5\n1\n", "t.csv"), "load")->number(1), 0.5);
+  EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:4", {"'load' is 85 beside percent", "% in each"},
+                           [] { columns_from_csv("load\n85%\nNA\n85\n", "t.csv"); }));
+  EXPECT_TRUE(throws_error(ErrorKind::File, "b.csv:2", {"'load' is 85 beside percent"}, [] {
+    columns_from_csv({{"load\n85%\n", "a.csv"}, {"load\n85\n", "b.csv"}});
+  }));
+}
+
 TEST(CsvColumns, AValueOutsideTheRangeOfAKnownIdIsRefused) {
   EXPECT_TRUE(throws_error(
       ErrorKind::File, "t.csv:3", {"'success' is 4", "expected 0 or 1", "--range success="},
