@@ -206,11 +206,15 @@ std::vector<RosParameter> ParameterFiles::of_node(RosFamily family) const {
   }
   std::vector<RosParameter> found;
   if (!path.empty()) found = below(path);
-  for (const RosParameter& p : parameters_) {
+  const std::string above = to_string(RosFamily::MoveBase) + std::string(".");
+  for (RosParameter p : parameters_) {
+    // Costmaps look for their parameters in the namespace of move_base, too.
+    if (family == RosFamily::LocalCostmap && starts_with(p.key, above))
+      p.key.erase(0, above.size());
     const bool is_given = std::any_of(
         found.begin(), found.end(), [&](const RosParameter& other) { return other.key == p.key; });
     if (may_lack_section(family, p.key) && !is_given && !find_mappings(family, p.key).empty())
-      found.push_back(p);
+      found.push_back(std::move(p));
   }
   return found;
 }

@@ -393,6 +393,10 @@ TEST_F(RosParameters, FootprintsAreChecked) {
   EXPECT_TRUE(refused("\"[[1, 1], [-1, -1], [1, -1], [-1, 1]]\"", "do not meet"));
   EXPECT_TRUE(refused("[[1, 0], [-1, 1], [x, -1]]", "corners"));
   EXPECT_TRUE(refused("$(var footprint)", "substitution"));
+  write("a.yaml", "move_base: {footprint: [[0.3, 0.2], [-0.3, 0.2], [-0.3, -0.2], [0.3, -0.2]]}\n");
+  const auto above = resolve("[robot]\nfrom = a.yaml\n");
+  EXPECT_EQ(value(above, "robot", "footprint"), "0.3,0.2;-0.3,0.2;-0.3,-0.2;0.3,-0.2")
+      << "of move_base";
   write("a.yaml", "local_costmap: {footprint: \"[]\", robot_radius: 0.3}\n");
   EXPECT_EQ(value(resolve("[robot]\nfrom = a.yaml\n"), "robot", "radius"), "0.3");
 }
