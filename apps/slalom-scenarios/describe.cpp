@@ -126,7 +126,7 @@ void add_describe_verb(CLI::App& app) {
                 [](const Words&) { return descriptor_ids(); });
   add_robot_options(*verb, arguments.list);
   verb->add_option("--footprint", arguments.footprint,
-                   "Convex polygon x,y; x,y; ... (m) instead of the disc");
+                   "Polygon x,y; x,y; ... (m) instead of the disc");
   verb->add_option("--sensor-range", arguments.list.sensor_range, "Maximum range of the sensor, m")
       ->check(above_zero())
       ->capture_default_str();

@@ -86,7 +86,7 @@ void add_reference_verb(CLI::App& app) {
              "Reference computed by the planner: length (shortest) or clearance (safest)")
       ->default_str(to_string(arguments.planner.objective));
   verb->add_option("--footprint", arguments.robot.footprint,
-                   "Convex polygon x,y; x,y; ... (m) instead of the disc");
+                   "Polygon x,y; x,y; ... (m) instead of the disc");
   verb->add_option("--min-turning-radius", arguments.robot.min_turning_radius,
                    "Minimum turning radius of a car-like robot, m: Dubins curves")
       ->check(not_negative())
