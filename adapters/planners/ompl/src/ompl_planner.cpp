@@ -33,7 +33,7 @@ namespace og = ompl::geometric;
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-/// The planner of cars if only the exact search is asked for, which plans for discs.
+/// The planner of poses where none is named and the lattice does not serve.
 constexpr char kPosePlanner[] = "RRTstar";
 
 using PlannerMaker = std::function<ob::PlannerPtr(const ob::SpaceInformationPtr&)>;
@@ -128,15 +128,16 @@ class OmplPlanner : public ReferencePlanner {
   OmplOptions options_;
 };
 
-/// For robots whose heading matters: from the roadmap along exact shortest paths of discs; for
-/// polygons that turn in place, if that is not within the gap, from a lattice of poses; by OMPL.
-/// All are smoothed.
+/// For robots whose heading matters: of polygons that turn in place find_footprint_path(); if that
+/// is not within the gap, from the roadmap along exact shortest paths of discs; then by OMPL, which
+/// polygons need for clearance, or if a planner is named. All are smoothed.
 class PosePlanner : public ReferencePlanner {
  public:
   PosePlanner(OmplOptions options, RobotModel robot)
       : options_(std::move(options)), robot_(std::move(robot)) {
-    is_sampled_ = options_.planner != kExactPlanner || robot_.min_turning_radius > 0;
-    if (is_sampled_ && options_.planner == kExactPlanner) options_.planner = kPosePlanner;
+    is_sampled_ = options_.planner != kExactPlanner || robot_.min_turning_radius > 0 ||
+                  options_.objective == Objective::Clearance;
+    if (options_.planner == kExactPlanner) options_.planner = kPosePlanner;
   }
 
   std::string name() const override { return is_sampled_ ? options_.planner : "lattice"; }

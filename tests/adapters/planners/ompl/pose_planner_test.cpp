@@ -131,6 +131,16 @@ TEST(PosePlanner, WithoutAPathOfTheRobotTheUpperBoundIsInfinite) {
   EXPECT_EQ(references.unsolvable_reason(), "");
 }
 
+TEST(PosePlanner, TheSafestPathOfAPolygonIsSampledByDefault) {
+  OmplOptions options;
+  options.objective = ReferencePlanner::Objective::Clearance;
+  const References references = references_of(disc_world(), rectangle(), options);
+  ASSERT_TRUE(references.safest);
+  EXPECT_TRUE(references.safest->planner == "RRTstar" ||
+              references.safest->note.rfind("RRTstar found ", 0) == 0)
+      << references.safest->planner << " " << references.safest->note;
+}
+
 TEST(PosePlanner, OmplStartsFromThePathOfTheRoadmapIfItIsNotWithinTheGap) {
   const World world = disc_world();
   OmplOptions options;

@@ -32,10 +32,11 @@ std::vector<std::string> planner_names();
 /// else OMPL's planner in R^2, with exact checks of states and motions.
 ///
 /// For other robots it plans poses: Dubins or Reeds-Shepp curves with a minimum turning radius;
-/// polygons rotate in place and drive straight, holonomic ones while they rotate. First the
-/// shortest path on a roadmap along exact shortest paths of discs, smoothed. If that is not within
-/// the gap of lower_bound(), OMPL's planner (RRTstar for kExactPlanner), which samples the poses of
-/// that path first; its path is smoothed too, and the shorter one returned. lower_bound() is
+/// polygons rotate in place and drive straight, holonomic ones while they rotate. Of polygons that
+/// rotate in place find_footprint_path(); if that is not within the gap of lower_bound(), the
+/// shortest path on a roadmap along exact shortest paths of discs; then OMPL's planner, which
+/// samples the poses of the shorter path first (RRTstar for kExactPlanner, for polygons only with
+/// the objective Clearance). All are smoothed, and the shortest is returned. lower_bound() is
 /// turning_lower_bound(), or for polygons that rotate in place that of the inscribed disc.
 ///
 /// The objective is the path length or the bottleneck clearance; the planner stops when its path is
