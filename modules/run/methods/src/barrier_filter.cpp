@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "half_planes.h"
 
+#include <slalom/core/geometry.h>
 #include <slalom/core/math.h>
 #include <slalom/methods/barrier_filter.h>
 #include <slalom/methods/registry.h>

@@ -329,7 +329,7 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
     return path;
   };
   if (effort == SearchEffort::Thorough && boxes) {
-    const std::vector<std::uint16_t> steps = boxes->steps_to_goal(goal, reach);
+    const std::vector<std::uint16_t> steps = boxes->steps_to_goal();
     const Guide guide = [&](const TPose2D& pose) {
       return boxes->leads_to_goal(pose) ? kGreedByBoxes * world.occupancy().resolution() *
                                               steps[*boxes->position_of(TPoint2D(pose))]

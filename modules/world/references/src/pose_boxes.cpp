@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_boxes.h"
 
+#include <slalom/core/geometry.h>
 #include <slalom/core/math.h>
 #include <slalom/references/footprint_path.h>
+#include <slalom/scenario/geometry.h>
 
 #include <mrpt/math/TPolygon2D.h>
 #include <mrpt/math/geometry.h>
@@ -23,43 +25,11 @@ constexpr double kSlack = 1e-6;
 /// Blocks of occupied cells are squares of up to so many cells.
 constexpr int kMaxBlock = 2;
 
-double dot(const TPoint2D& a, const TPoint2D& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 /// The largest a.p over corners.
 double support(const Corners& corners, const TPoint2D& a) {
   double most = -HUGE_VAL;
-  for (const TPoint2D& p : corners) most = std::max(most, dot(a, p));
+  for (const TPoint2D& p : corners) most = std::max(most, a.x * p.x + a.y * p.y);
   return most;
-}
-
-/// All points q with n.q <= c.
-struct HalfPlane {
-  TPoint2D n;
-  double c;
-};
-
-/// The part of a convex polygon in a half-plane.
-Corners clip(const Corners& corners, const HalfPlane& plane) {
-  Corners kept;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const TPoint2D &p = corners[i], &q = corners[(i + 1) % corners.size()];
-    const double at_p = dot(plane.n, p) - plane.c, at_q = dot(plane.n, q) - plane.c;
-    if (at_p <= 0) kept.push_back(p);
-    if ((at_p < 0) != (at_q < 0) && at_p != at_q)
-      kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
-  }
-  return kept;
-}
-
-double twice_area(const Corners& corners) {
-  double area = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const TPoint2D &p = corners[i], &q = corners[(i + 1) % corners.size()];
-    area += p.x * q.y - q.x * p.y;
-  }
-  return area;
 }
 
 /// Convex polygons in a footprint that cover it, in cells, counter-clockwise; none if it cannot be
@@ -74,10 +44,11 @@ std::vector<Corners> convex_parts(const Footprint& footprint, double resolution)
   for (const auto& part : split) {
     if (!part.isConvex()) return {};
     Corners& corners = parts.emplace_back(part.begin(), part.end());
-    if (twice_area(corners) < 0) std::reverse(corners.begin(), corners.end());
-    area += twice_area(corners);
+    const double part_area = signed_area({corners});
+    if (part_area < 0) std::reverse(corners.begin(), corners.end());
+    area += std::abs(part_area);
   }
-  const double whole = twice_area({outline.begin(), outline.end()});
+  const double whole = signed_area({{outline.begin(), outline.end()}});
   return std::abs(area - whole) <= kSlack * whole ? parts : std::vector<Corners>();
 }
 
@@ -98,14 +69,15 @@ CommonPart common_part(const Corners& part, double heading, double half) {
     const double length = math::hypot(side.x, side.y);
     if (length == 0) continue;
     const TPoint2D n(side.y / length, -side.x / length);
-    const double reach = dot(n, turned[i]) - kSlack;
+    const double reach = n.x * turned[i].x + n.y * turned[i].y - kSlack;
     // The largest n.q of a point q is at an end of the headings, or |q| where q is in the direction
     // n at one of them, which the third bounds.
-    for (const HalfPlane& plane : {HalfPlane{{dc * n.x - ds * n.y, ds * n.x + dc * n.y}, reach},
-                                   HalfPlane{{dc * n.x + ds * n.y, -ds * n.x + dc * n.y}, reach},
-                                   HalfPlane{n, dc * reach}}) {
-      common.corners = clip(common.corners, plane);
-      common.normals.push_back(plane.n);
+    const TPoint2D first(dc * n.x - ds * n.y, ds * n.x + dc * n.y),
+        last(dc * n.x + ds * n.y, -ds * n.x + dc * n.y);
+    for (const auto& [normal, bound] :
+         {std::pair(first, reach), std::pair(last, reach), std::pair(n, dc * reach)}) {
+      common.corners = clipped(common.corners, {{-normal.x, -normal.y}, -bound});
+      common.normals.push_back(normal);
     }
   }
   return common;
@@ -152,6 +124,8 @@ PoseBoxes<kDivisions>::PoseBoxes(const World& world, const Footprint& footprint,
       height_(cells_.size_y() * kSide),
       reach_(static_cast<int>(std::ceil(footprint.enclosing_radius() / cells_.resolution())) + 1),
       open_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)),
+      goal_(goal),
+      goal_reach_(reach),
       leading_(open_.size(), Headings{}) {
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x)
@@ -159,7 +133,7 @@ PoseBoxes<kDivisions>::PoseBoxes(const World& world, const Footprint& footprint,
   const std::vector<Corners> parts = convex_parts(footprint, cells_.resolution());
   const std::vector<std::uint8_t> near = near_free_cells(world);
   for (int block = 1; block <= kMaxBlock; ++block) close(block, parts, near);
-  flood(goal, reach);
+  flood();
 }
 
 template <std::size_t kDivisions>
@@ -194,13 +168,12 @@ std::size_t PoseBoxes<kDivisions>::index(int x, int y) const {
          static_cast<std::size_t>(x);
 }
 
-/// Visits the positions within `reach` of the goal.
+/// Visits the positions of the goal.
 template <std::size_t kDivisions>
 template <typename Visit>
-void PoseBoxes<kDivisions>::for_each_near(const TPoint2D& goal, double reach,
-                                          const Visit& visit) const {
-  const TPoint2D at = cells_.to_cells(goal) * kSide;
-  const double radius = reach / cells_.resolution() * kSide + kSlack;
+void PoseBoxes<kDivisions>::for_each_goal(const Visit& visit) const {
+  const TPoint2D at = cells_.to_cells(goal_) * kSide;
+  const double radius = goal_reach_ / cells_.resolution() * kSide + kSlack;
   const auto first = [&](double from) {
     return std::max(0, static_cast<int>(std::floor(from - radius)));
   };
@@ -265,13 +238,12 @@ std::vector<typename PoseBoxes<kDivisions>::Headings> PoseBoxes<kDivisions>::clo
       std::vector<HalfPlane> offsets;
       for (const TPoint2D& normal : common.normals) {
         const TPoint2D n(-normal.x, -normal.y);
-        offsets.push_back(
-            {normal, support(square, n) + support(common.corners, n) - support(box, n)});
+        offsets.push_back({n, support(box, n) - support(square, n) - support(common.corners, n)});
       }
       for (int dy = -reach_; dy <= reach_; ++dy)
         for (int dx = -reach_; dx <= reach_; ++dx)
-          if (std::all_of(offsets.begin(), offsets.end(), [&](const HalfPlane& plane) {
-                return plane.n.x * dx + plane.n.y * dy <= plane.c;
+          if (std::all_of(offsets.begin(), offsets.end(), [&](const HalfPlane& allowed) {
+                return allowed.excess(TPoint2D(dx, dy)) >= 0;
               }))
             closed[offset_index(dx, dy)][heading / 64] |= std::uint64_t{1} << (heading % 64);
     }
@@ -306,7 +278,7 @@ void PoseBoxes<kDivisions>::close(int block, const std::vector<Corners>& parts,
 }
 
 template <std::size_t kDivisions>
-void PoseBoxes<kDivisions>::flood(const TPoint2D& goal, double reach) {
+void PoseBoxes<kDivisions>::flood() {
   std::vector<std::pair<int, int>> stack;
   const auto enter = [&](int x, int y, const Headings& headings) {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
@@ -316,7 +288,7 @@ void PoseBoxes<kDivisions>::flood(const TPoint2D& goal, double reach) {
     known = all;
     stack.emplace_back(x, y);
   };
-  for_each_near(goal, reach, [&](int x, int y) { enter(x, y, all_headings<kDivisions>()); });
+  for_each_goal([&](int x, int y) { enter(x, y, all_headings<kDivisions>()); });
   while (!stack.empty()) {
     const auto [x, y] = stack.back();
     stack.pop_back();
@@ -329,8 +301,7 @@ void PoseBoxes<kDivisions>::flood(const TPoint2D& goal, double reach) {
 }
 
 template <std::size_t kDivisions>
-std::vector<std::uint16_t> PoseBoxes<kDivisions>::steps_to_goal(const TPoint2D& goal,
-                                                                double reach) const {
+std::vector<std::uint16_t> PoseBoxes<kDivisions>::steps_to_goal() const {
   constexpr std::uint16_t kFar = 0xffff;
   std::vector<std::uint16_t> steps(leading_.size(), kFar);
   std::vector<Headings> known(leading_.size(), Headings{}), fresh = known;
@@ -343,8 +314,7 @@ std::vector<std::uint16_t> PoseBoxes<kDivisions>::steps_to_goal(const TPoint2D& 
     if (fresh[i] == Headings{}) next.push_back(i);
     fresh[i] = all;
   };
-  for_each_near(goal, reach,
-                [&](int x, int y) { reach_for(index(x, y), all_headings<kDivisions>()); });
+  for_each_goal([&](int x, int y) { reach_for(index(x, y), all_headings<kDivisions>()); });
   const auto width = static_cast<std::size_t>(width_);
   for (std::uint16_t step = 0; !next.empty() && step < kFar; ++step) {
     std::vector<std::pair<std::size_t, Headings>> now;

@@ -31,7 +31,7 @@ class PoseBoxes {
 
   /// The least number of neighbors to the goal from a box at a position, by position_of(); 65535 if
   /// none leads there or all are farther.
-  std::vector<std::uint16_t> steps_to_goal(const mrpt::math::TPoint2D& goal, double reach) const;
+  std::vector<std::uint16_t> steps_to_goal() const;
   /// nullopt outside of the world.
   std::optional<std::size_t> position_of(const mrpt::math::TPoint2D& point) const;
 
@@ -49,14 +49,16 @@ class PoseBoxes {
   std::vector<Headings> closed_by(int block, int box_x, int box_y,
                                   const std::vector<Corners>& parts) const;
   void close(int block, const std::vector<Corners>& parts, const std::vector<std::uint8_t>& near);
-  void flood(const mrpt::math::TPoint2D& goal, double reach);
+  void flood();
   template <typename Visit>
-  void for_each_near(const mrpt::math::TPoint2D& goal, double reach, const Visit& visit) const;
+  void for_each_goal(const Visit& visit) const;
 
   const Occupancy& cells_;
-  int width_, height_;             ///< in boxes
-  int reach_;                      ///< cells, farther than the robot
-  std::vector<Headings> open_;     ///< by position, row by row
+  int width_, height_;          ///< in boxes
+  int reach_;                   ///< cells, farther than the robot
+  std::vector<Headings> open_;  ///< by position, row by row
+  mrpt::math::TPoint2D goal_;
+  double goal_reach_;              ///< m
   std::vector<Headings> leading_;  ///< of these, what leads to the goal
 };
 

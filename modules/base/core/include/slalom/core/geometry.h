@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace slalom {
 
@@ -22,5 +23,25 @@ inline mrpt::math::TPoint2D nearest_on_segment(const mrpt::math::TPoint2D& p,
 inline bool is_finite(const mrpt::math::TPoint2D& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
+
+/// The points p with normal * p >= bound.
+struct HalfPlane {
+  mrpt::math::TVector2D normal;
+  double bound = 0;
+
+  /// How far p is beyond the bound, in lengths of the normal; negative outside.
+  double excess(const mrpt::math::TPoint2D& p) const {
+    return normal.x * p.x + normal.y * p.y - bound;
+  }
+};
+
+/// The part of a convex polygon in a half plane: its corners in the same order, none if it is
+/// empty. Polygons may be degenerate, down to a point.
+std::vector<mrpt::math::TPoint2D> clipped(const std::vector<mrpt::math::TPoint2D>& polygon,
+                                          const HalfPlane& half_plane);
+
+/// The point of the polygon's border that is nearest to p. Requires a corner.
+mrpt::math::TPoint2D nearest_on_border(const mrpt::math::TPoint2D& p,
+                                       const std::vector<mrpt::math::TPoint2D>& polygon);
 
 }  // namespace slalom

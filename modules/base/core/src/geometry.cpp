@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "half_planes.h"
-
 #include <slalom/core/geometry.h>
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "half_planes.h"
-
+#include <slalom/core/geometry.h>
 #include <slalom/core/random.h>
 
 #include <gtest/gtest.h>
