@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# slalom_add_module(NAME [COMPUTES] SOURCES a.cpp ... DEPENDS module ... LIBRARIES target ...)
+# slalom_add_module(NAME [COMPUTES] [IN_SMALL_UNITS] SOURCES a.cpp ... DEPENDS module ... LIBRARIES target ...)
 #
 # A module of modules/ (or adapters/): one static library target slalom_NAME with one include root of its own. It includes
 # headers only of core and of the modules in DEPENDS (scripts/check_includes.py). COMPUTES: see SlalomPrecompiled.cmake.
+# IN_SMALL_UNITS: GCC inlines less in a larger unit, where exact paths take 1.24 times as long.
 function(slalom_add_module NAME)
-  cmake_parse_arguments(MODULE "COMPUTES" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(MODULE "COMPUTES;IN_SMALL_UNITS" "" "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(slalom_${NAME} STATIC ${MODULE_SOURCES})
   add_library(slalom::${NAME} ALIAS slalom_${NAME})
   target_include_directories(slalom_${NAME} PUBLIC
@@ -16,11 +17,11 @@ function(slalom_add_module NAME)
   target_link_libraries(slalom_${NAME} PUBLIC ${MODULE_DEPENDS} ${MODULE_LIBRARIES} PRIVATE ${MODULE_PRIVATE_LIBRARIES})
   if(MODULE_COMPUTES)
     slalom_optimize(slalom_${NAME} slalom_precompiled "${SLALOM_COMPUTING_OPTIMIZATION}")
-    if(NOT SLALOM_SANITIZE)  # GCC inlines less in a larger unit: exact paths took 1.24 times as long
-      set_target_properties(slalom_${NAME} PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
-    endif()
   else()
     slalom_optimize(slalom_${NAME} slalom_precompiled ${SLALOM_OPTIMIZATION})
+  endif()
+  if(MODULE_IN_SMALL_UNITS AND NOT SLALOM_SANITIZE)
+    set_target_properties(slalom_${NAME} PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
   endif()
 endfunction()
 

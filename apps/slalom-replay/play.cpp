@@ -51,9 +51,9 @@ void draw_images(const RecordedRun& run, const Scenario& scenario, const Campaig
 }
 
 void play(const PlayArguments& arguments) {
+  const RecordedRun run = read_run(arguments.log);
   if (arguments.folder.empty() && !arguments.window)
     throw usage_error("play", "no output selected", "--gui or --png DIR");
-  const RecordedRun run = read_run(arguments.log);
   const CampaignOptions options = read_campaign_options(campaign_of(run, arguments.log, "", {}));
   const Scenario scenario = scenario_of(run, arguments.log);
   if (run.trajectory.samples.empty())

@@ -4,14 +4,10 @@
 #include <slalom/core/hash.h>
 #include <slalom/core/text.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 
 namespace slalom {
 namespace {
-
-using Json = nlohmann::json;
 
 struct Field {
   const char *name, *unit;
@@ -94,19 +90,6 @@ RepeatedRuns execute_again(Campaign campaign, const std::set<RunKey>& runs, cons
     campaign.options.repetitions = std::max(campaign.options.repetitions, repetition + 1);
   const bool complete = run_campaign(campaign, sink, execution).complete;
   return {complete, std::move(sink.executed)};
-}
-
-std::string line_difference(const std::string& before, const std::string& now) {
-  if (before == now) return "";
-  const Json old = Json::parse(before), found = Json::parse(now);
-  const Json changes = Json::diff(old, found);
-  const Json::json_pointer at(changes.at(0).at("path").get<std::string>());
-  const auto value = [&](const Json& json) {
-    return json.contains(at) ? json.at(at).dump() : std::string("absent");
-  };
-  const std::size_t more = changes.size() - 1;
-  return at.to_string() + " was " + value(old) + " and is " + value(found) +
-         (more == 0 ? "" : ", and " + std::to_string(more) + " more values");
 }
 
 std::string execution_difference(const RunRecord& before, const Trajectory* trajectory,

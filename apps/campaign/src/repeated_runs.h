@@ -32,9 +32,6 @@ struct RepeatedRuns {
 RepeatedRuns execute_again(Campaign campaign, const std::set<RunKey>& runs, const ResultFile* file,
                            Execution execution);
 
-/// "/outcome was "success" and is "collision", and 2 more values"; "" for equal lines of dumps.
-std::string line_difference(const std::string& before, const std::string& now);
-
 /// "differs after 1.3 s: command v 0.52 and 0.48 m/s": the first value in which two executions of a
 /// run differ, of their trajectories if both are given; "" if they are equal.
 std::string execution_difference(const RunRecord& before, const Trajectory* trajectory,

@@ -64,4 +64,17 @@ void dump(const ResultFile& file, std::ostream& out, const DamageHandler& report
       report);
 }
 
+std::string line_difference(const std::string& before, const std::string& now) {
+  if (before == now) return "";
+  const nlohmann::json old = nlohmann::json::parse(before), found = nlohmann::json::parse(now);
+  const nlohmann::json changes = nlohmann::json::diff(old, found);
+  const nlohmann::json::json_pointer at(changes.at(0).at("path").get<std::string>());
+  const auto value = [&](const nlohmann::json& json) {
+    return json.contains(at) ? json.at(at).dump() : std::string("absent");
+  };
+  const std::size_t more = changes.size() - 1;
+  return at.to_string() + " was " + value(old) + " and is " + value(found) +
+         (more == 0 ? "" : ", and " + std::to_string(more) + " more values");
+}
+
 }  // namespace slalom

@@ -97,6 +97,8 @@ class ResultFile {
 /// One run as a line of JSON with sorted keys, as printed by `dump`. Independent of the wall clock.
 std::string dump_line(const std::string& campaign, const ScenarioRecord& scenario,
                       const RunRecord& run);
+/// "/outcome was "success" and is "collision", and 2 more values"; "" for equal lines of dumps.
+std::string line_difference(const std::string& before, const std::string& now);
 
 /// Writes all runs of a file as such lines, one at a time. Damaged runs, and those of damaged
 /// scenarios, are passed to `report`; without it they are errors.
