@@ -166,7 +166,8 @@ void ompl(benchmark::State& state, const std::string& name, double gap) {
   const auto planner = make_ompl_planner(options);
   std::uint64_t seed = 0;
   time_problems(state, [&](const Problem& problem) {
-    const auto path = planner->plan(problem_of(problem.world), problem.exact, ++seed);
+    std::string reason;
+    const auto path = planner->plan(problem_of(problem.world), problem.exact, ++seed, reason);
     return path && length(*path) <= (1 + gap) * problem.exact.shortest->certificate.lower_bound;
   });
 }

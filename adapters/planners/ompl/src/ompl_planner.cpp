@@ -7,6 +7,7 @@
 #include <slalom/references/footprint_path.h>
 #include <slalom/references/turning_bound.h>
 
+#include <fmt/format.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/objectives/MaximizeMinClearanceObjective.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -114,7 +115,7 @@ class OmplPlanner : public ReferencePlanner {
   Objective objective() const override { return options_.objective; }
 
   std::optional<Path> plan(const PlanningProblem& problem, const References& exact,
-                           std::uint64_t seed) const override {
+                           std::uint64_t seed, std::string& /*reason*/) const override {
     prepare_ompl(seed);
     const PlanningSpace space = make_point_space(problem);
     const ob::PathPtr path =
@@ -150,7 +151,7 @@ class PosePlanner : public ReferencePlanner {
   }
 
   std::optional<Path> plan(const PlanningProblem& problem, const References& exact,
-                           std::uint64_t seed) const override {
+                           std::uint64_t seed, std::string& reason) const override {
     const auto motions = make_pose_motions(problem.world, robot_);
     std::vector<TPose2D> poses;
     if (options_.objective == Objective::Length) {
@@ -162,7 +163,7 @@ class PosePlanner : public ReferencePlanner {
             (!others.empty() && length(*motions, others) < length(*motions, poses)))
           poses = std::move(others);
       };
-      if (robot_.min_turning_radius == 0) improve(path_on_lattice(problem));
+      if (robot_.min_turning_radius == 0) improve(path_on_lattice(problem, reason));
       if (!is_enough()) improve(path_on_roadmap(problem, *motions));
       if (is_sampled_ && !is_enough()) improve(planned(problem, exact, seed, *motions, poses));
     } else {
@@ -173,14 +174,24 @@ class PosePlanner : public ReferencePlanner {
   }
 
  private:
-  /// Empty if none is found.
-  std::vector<TPose2D> path_on_lattice(const PlanningProblem& problem) const {
-    std::string reason;
+  /// Empty with a reason if none is found.
+  std::vector<TPose2D> path_on_lattice(const PlanningProblem& problem, std::string& reason) const {
+    const PolygonMotion motion = robot_.holonomic()     ? PolygonMotion::Holonomic
+                                 : !robot_.forward_only ? PolygonMotion::Reversing
+                                                        : PolygonMotion::Forward;
+    // Reversing is tried for all, as the note names it.
     const auto path = find_footprint_path(problem.world, robot_.shape(),
                                           {problem.start.x, problem.start.y, problem.start_heading},
-                                          problem.goal, 0, reason, SearchEffort::Thorough);
-    if (!path || TPoint2D(path->poses.back()) != problem.goal) return {};
-    return path->poses;
+                                          problem.goal, 0, reason, SearchEffort::Thorough,
+                                          std::max(motion, PolygonMotion::Reversing));
+    if (!path) return {};
+    const bool arrives = TPoint2D(path->poses.back()) == problem.goal;
+    if (path->motion <= motion && arrives) return path->poses;
+    reason = path->motion <= motion
+                 ? "the path that was found ends beside the goal"
+                 : fmt::format("a robot that reverses has one of {:.4g} m{}", path->length,
+                               arrives ? "" : ", which ends beside the goal");
+    return {};
   }
 
   /// Runs OMPL's planner; empty if it finds no path.

@@ -33,6 +33,8 @@ constexpr double kReach = 1.0 / 6;
 /// Weights of the distance that is left, among cells and by boxes: more is faster, and paths get
 /// longer.
 constexpr double kGreed = 1.3, kGreedByBoxes = 1.7;
+constexpr char kUndecided[] =
+    "no path was found for the robot's shape, nor proved that there is none";
 /// Length (m) that is worth a turn by 1 rad, as a fraction of the enclosing radius.
 constexpr double kTurnCost = 0.2;
 constexpr int kMaxExpanded = 30000;
@@ -131,13 +133,15 @@ using Guide = std::function<double(const TPose2D&)>;
 class LatticeSearch {
  public:
   LatticeSearch(const World& world, const Footprint& footprint, const TPose2D& start,
-                const TPoint2D& goal, double margin, double spacing, Guide guide)
-      : guide_(std::move(guide)),
+                const TPoint2D& goal, double margin, double spacing, PolygonMotion motion,
+                const Guide& guide)
+      : guide_(guide),
         contact_(make_footprint_contact(world, footprint)),
         start_(start),
         goal_(goal),
         margin_(margin),
         spacing_(spacing),
+        motion_(motion),
         reach_(kReach * footprint.half_width()),
         turn_cost_(kTurnCost * footprint.enclosing_radius()) {
     for (int i = 0; i < kDirections; ++i) {
@@ -220,14 +224,20 @@ class LatticeSearch {
     turn(node, cost, node.direction + 1);
     turn(node, cost, node.direction - 1);
     const auto [x, y] = step_of(node.direction);
-    const double step = math::hypot(x, y);
-    const int longest = std::max(1, static_cast<int>(kLongStep / step));
+    const int longest = std::max(1, static_cast<int>(kLongStep / math::hypot(x, y)));
     for (const int steps : {1, longest}) {
-      const Node next{node.x + steps * x, node.y + steps * y, node.direction};
-      if (!is_known(next) && contact_->is_free(pose(node), pose(next), margin_))
-        offer(next, node, cost + steps * step * spacing_);
+      move(node, cost, steps * x, steps * y);
+      if (motion_ != PolygonMotion::Forward) move(node, cost, -steps * x, -steps * y);
       if (steps == longest) break;
     }
+    if (motion_ == PolygonMotion::Holonomic)
+      for (int i = 0; i < kDirections; i += 4) move(node, cost, step_of(i)[0], step_of(i)[1]);
+  }
+
+  void move(const Node& node, double cost, int x, int y) {
+    const Node next{node.x + x, node.y + y, node.direction};
+    if (!is_known(next) && contact_->is_free(pose(node), pose(next), margin_))
+      offer(next, node, cost + math::hypot(x, y) * spacing_);
   }
 
   /// rad, the angle to the left from the start's heading to a direction.
@@ -250,24 +260,28 @@ class LatticeSearch {
   }
 
   static constexpr double kLongStep = 8;  // in positions
-  Guide guide_;
+  const Guide& guide_;
   std::unique_ptr<FootprintContact> contact_;
   TPose2D start_;
   TPoint2D goal_;
-  double margin_, spacing_, reach_;  ///< m
-  double turn_cost_;                 ///< m/rad
+  double margin_, spacing_;  ///< m
+  PolygonMotion motion_;
+  double reach_;      ///< m
+  double turn_cost_;  ///< m/rad
   std::array<double, kDirections> headings_ = {};
   std::unordered_map<Node, State, NodeHash> states_;
   std::priority_queue<Entry> queue_;
 };
 
-/// Turns to a point and drives there; false if the robot comes closer than the margin.
+/// Turns to a point and drives there, or turns its back; false if the robot comes closer than the
+/// margin.
 bool drive_to(const TPoint2D& next, const FootprintContact& contact, double margin,
-              FootprintPath& path) {
+              FootprintPath& path, bool backward = false) {
   const TPose2D at = path.poses.back();
   const double length = distance_between(at, next);
   if (length == 0) return true;
-  const double heading = math::atan2(next.y - at.y, next.x - at.x);
+  const double ahead = math::atan2(next.y - at.y, next.x - at.x);
+  const double heading = backward ? mrpt::math::wrapToPi(ahead + M_PI) : ahead;
   const TPose2D turned(at.x, at.y, heading), driven(next.x, next.y, heading);
   if (!contact.is_free(at, turned, margin) || !contact.is_free(turned, driven, margin))
     return false;
@@ -289,21 +303,10 @@ std::optional<FootprintPath> along(const DiscPath& disc, const Occupancy& cells,
   return path;
 }
 
-}  // namespace
-
-std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
-                                                 const TPose2D& start, const TPoint2D& goal,
-                                                 double margin, std::string& reason,
-                                                 SearchEffort effort) {
-  if (!shortest_disc_path(world.occupancy(), footprint.inscribed_radius(), TPoint2D(start), goal,
-                          reason))
-    return std::nullopt;
-  const auto contact = make_footprint_contact(world, footprint);
-  if (contact->touches(start)) {
-    reason = "the robot touches an obstacle at the start";
-    return std::nullopt;
-  }
-  // Wider discs leave more room to turn.
+/// Along the shortest path of a disc; wider ones leave more room to turn.
+std::optional<FootprintPath> along_a_disc(const World& world, const Footprint& footprint,
+                                          const FootprintContact& contact, const TPose2D& start,
+                                          const TPoint2D& goal, double margin) {
   const double least = footprint.half_width() + margin, most = footprint.enclosing_radius();
   constexpr double kExcess = 5e-4;  // m: contact is somewhat nearer than the margin
   const auto between = [&](double room) { return least + room * (most - least); };
@@ -312,8 +315,38 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
     std::string no_path;
     const auto disc = shortest_disc_path(world.occupancy(), radius, TPoint2D(start), goal, no_path);
     if (!disc) break;  // nor has a wider one
-    if (auto path = along(*disc, world.occupancy(), *contact, start, margin)) return path;
+    if (auto path = along(*disc, world.occupancy(), contact, start, margin)) return path;
   }
+  return std::nullopt;
+}
+
+/// From near the goal to it, if the motion of the path leads there.
+void complete(const TPoint2D& goal, const FootprintContact& contact, double margin,
+              FootprintPath& path) {
+  if (drive_to(goal, contact, margin, path) || path.motion == PolygonMotion::Forward) return;
+  if (drive_to(goal, contact, margin, path, true) || path.motion == PolygonMotion::Reversing)
+    return;
+  const TPose2D last = path.poses.back(), moved(goal.x, goal.y, last.phi);
+  if (!contact.is_free(last, moved, margin)) return;
+  path.poses.push_back(moved);
+  path.length += distance_between(last, moved);
+}
+
+}  // namespace
+
+std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
+                                                 const TPose2D& start, const TPoint2D& goal,
+                                                 double margin, std::string& reason,
+                                                 SearchEffort effort, PolygonMotion motion) {
+  if (!shortest_disc_path(world.occupancy(), footprint.inscribed_radius(), TPoint2D(start), goal,
+                          reason))
+    return std::nullopt;
+  const auto contact = make_footprint_contact(world, footprint);
+  if (contact->touches(start)) {
+    reason = "the robot touches an obstacle at the start";
+    return std::nullopt;
+  }
+  if (auto path = along_a_disc(world, footprint, *contact, start, goal, margin)) return path;
   const double reach = kReach * footprint.half_width();
   std::optional<PoseBoxes<1>> boxes;
   if (can_divide(world, 1)) boxes.emplace(world, footprint, goal, reach);
@@ -321,33 +354,39 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
     reason = kObstructed;
     return std::nullopt;
   }
-  const auto search = [&](double spacing, Guide guide) {
+  const auto search = [&](double spacing, PolygonMotion by, const Guide& guide) {
     auto path = LatticeSearch(world, footprint, start, goal, margin,
-                              spacing * footprint.half_width(), std::move(guide))
+                              spacing * footprint.half_width(), by, guide)
                     .run();
-    if (path) drive_to(goal, *contact, margin, *path);
+    if (!path) return path;
+    path->motion = by;
+    complete(goal, *contact, margin, *path);
     return path;
   };
-  if (effort == SearchEffort::Thorough && boxes) {
-    const std::vector<std::uint16_t> steps = boxes->steps_to_goal();
-    const Guide guide = [&](const TPose2D& pose) {
-      return boxes->leads_to_goal(pose) ? kGreedByBoxes * world.occupancy().resolution() *
-                                              steps[*boxes->position_of(TPoint2D(pose))]
-                                        : std::numeric_limits<double>::infinity();
-    };
-    for (const double spacing : kSpacings)
-      if (auto path = search(spacing, guide)) return path;
+  reason = kUndecided;
+  if (effort == SearchEffort::Quick || !boxes) {
+    // Half a cell less, since the robot may be anywhere in it.
+    const double clearance =
+        side_clearance(footprint) + margin - world.occupancy().resolution() * M_SQRT1_2;
+    const CellDistances rest(world, goal, clearance);
+    return search(kSpacings[0], PolygonMotion::Forward,
+                  [&](const TPose2D& pose) { return kGreed * rest.at(TPoint2D(pose)); });
   }
-  // Half a cell less, since the robot may be anywhere in it.
-  const double clearance =
-      side_clearance(footprint) + margin - world.occupancy().resolution() * M_SQRT1_2;
-  const CellDistances rest(world, goal, clearance);
-  const Guide guide = [&](const TPose2D& pose) { return kGreed * rest.at(TPoint2D(pose)); };
-  if (auto path = search(kSpacings[0], guide)) return path;
-  reason =
-      effort == SearchEffort::Thorough && is_obstructed(world, footprint, start, goal, reach, 2)
-          ? kObstructed
-          : "no path was found for the robot's shape, nor proved that there is none";
+  const std::vector<std::uint16_t> steps = boxes->steps_to_goal();
+  const Guide guide = [&](const TPose2D& pose) {
+    return boxes->leads_to_goal(pose) ? kGreedByBoxes * world.occupancy().resolution() *
+                                            steps[*boxes->position_of(TPoint2D(pose))]
+                                      : std::numeric_limits<double>::infinity();
+  };
+  for (const double spacing : kSpacings)
+    if (auto path = search(spacing, PolygonMotion::Forward, guide)) return path;
+  if (is_obstructed(world, footprint, start, goal, reach, 2)) {
+    reason = kObstructed;
+    return std::nullopt;
+  }
+  for (const PolygonMotion by : {PolygonMotion::Reversing, PolygonMotion::Holonomic})
+    if (by <= motion)
+      if (auto path = search(kSpacings[0], by, guide)) return path;
   return std::nullopt;
 }
 

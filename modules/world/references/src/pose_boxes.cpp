@@ -341,10 +341,10 @@ template class PoseBoxes<1>;
 template class PoseBoxes<2>;
 
 bool can_divide(const World& world, int divisions) {
-  constexpr std::size_t kMostWords = 16'000'000;
+  constexpr std::size_t kMaxBoxes = 16'000'000;  // of 64 directions
   return world.occupancy().cells().size() *
              static_cast<std::size_t>(divisions * divisions * divisions) <=
-         kMostWords;
+         kMaxBoxes;
 }
 
 bool is_obstructed(const World& world, const Footprint& footprint, const TPose2D& start,

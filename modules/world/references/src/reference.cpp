@@ -17,17 +17,17 @@ namespace slalom {
 namespace {
 
 /// Why a planner's path is invalid; empty if it is valid.
-std::string defect_of(const std::optional<Path>& path, const PlanningProblem& problem) {
-  if (!path) return "found no path";
+std::string defect_of(const std::optional<Path>& path, const std::string& reason,
+                      const PlanningProblem& problem) {
+  if (!path) return "found no path" + (reason.empty() ? "" : ": " + reason);
   if (!is_free(problem.world, *path, problem.robot_radius))
     return "returned a path that is not free";
   return "";
 }
 
 /// Uses the planner's path if it is valid and within the gap; otherwise adds a note.
-void use_shortest(const ReferencePlanner& planner, const PlanningProblem& problem,
-                  const std::optional<Path>& path, double gap, ShortestPath& best) {
-  const std::string defect = defect_of(path, problem);
+void use_shortest(const ReferencePlanner& planner, const std::optional<Path>& path,
+                  const std::string& defect, double gap, ShortestPath& best) {
   if (!defect.empty()) {
     best.note = planner.name() + " " + defect;
     return;
@@ -56,8 +56,8 @@ void use_bounds_of_robot(const ReferencePlanner& planner, const PlanningProblem&
 }
 
 void use_safest(const ReferencePlanner& planner, const PlanningProblem& problem,
-                const std::optional<Path>& path, double gap, SafestPath& best) {
-  const std::string defect = defect_of(path, problem);
+                const std::optional<Path>& path, const std::string& defect, double gap,
+                SafestPath& best) {
   const double width = defect.empty() ? bottleneck_of(problem.world, *path) : 0;
   if (!defect.empty()) {
     best.note = planner.name() + " " + defect;
@@ -74,11 +74,13 @@ void query_planner(const ReferencePlanner& planner, const PlanningProblem& probl
   const bool shortest = planner.objective() == ReferencePlanner::Objective::Length;
   if (shortest ? !references.shortest : !references.safest) return;
   if (shortest) use_bounds_of_robot(planner, problem, *references.shortest);
-  const std::optional<Path> path = planner.plan(problem, references, seed);
+  std::string reason;
+  const std::optional<Path> path = planner.plan(problem, references, seed, reason);
+  const std::string defect = defect_of(path, reason, problem);
   if (shortest)
-    use_shortest(planner, problem, path, gap, *references.shortest);
+    use_shortest(planner, path, defect, gap, *references.shortest);
   else
-    use_safest(planner, problem, path, gap, *references.safest);
+    use_safest(planner, problem, path, defect, gap, *references.safest);
 }
 
 }  // namespace

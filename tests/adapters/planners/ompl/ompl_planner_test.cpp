@@ -33,8 +33,9 @@ std::string path_hash(const Path& path) {
 std::string checked_plan(const World& world, const References& exact, const OmplOptions& options,
                          std::uint64_t seed) {
   return in_child([&]() -> std::string {
+    std::string reason;
     const auto planner = make_ompl_planner(options);
-    const auto path = planner->plan(problem_of(world), exact, seed);
+    const auto path = planner->plan(problem_of(world), exact, seed, reason);
     if (!path) return "no path";
     const double path_length = length(*path);
     const PlanningProblem problem = problem_of(world);
@@ -86,7 +87,8 @@ TEST(OmplPlanner, StopsWithinTheGapOfTheLowerBound) {
   OmplOptions options = options_of("InformedRRTstar");
   options.gap = 0.05;
   const std::string answer = in_child([&] {
-    const auto path = make_ompl_planner(options)->plan(problem_of(world), exact, 3);
+    std::string reason;
+    const auto path = make_ompl_planner(options)->plan(problem_of(world), exact, 3, reason);
     return path ? std::to_string(length(*path)) : "no path";
   });
   const double path_length = std::strtod(answer.c_str(), nullptr);
@@ -110,7 +112,8 @@ TEST(OmplPlanner, ReturnsNoPathIfThereIsNone) {
   references.shortest = ShortestPath{{}, 9, {8, 9}, "exact", ""};
   EXPECT_EQ(in_child([&]() -> std::string {
               const auto planner = make_ompl_planner(options_of("RRTstar"));
-              return planner->plan(problem_of(world), references, 1) ? "a path" : "no path";
+              std::string reason;
+              return planner->plan(problem_of(world), references, 1, reason) ? "a path" : "no path";
             }),
             "no path");
 }
@@ -122,7 +125,8 @@ std::string planned_for(const RobotModel& robot, const World& world, const Refer
   return in_child([&]() -> std::string {
     PlanningProblem problem = problem_of(world);
     problem.robot_radius = robot.shape().inscribed_radius();
-    const auto path = make_ompl_planner(options, robot)->plan(problem, exact, 7);
+    std::string reason;
+    const auto path = make_ompl_planner(options, robot)->plan(problem, exact, 7, reason);
     if (!path) return "no path";
     std::string text;
     for (const auto& p : *path) text += format_number(p.x) + " " + format_number(p.y) + " ";

@@ -117,7 +117,8 @@ TEST(PosePlanner, WithoutAPathOfTheRobotTheUpperBoundIsInfinite) {
   References references = references_of(world, robot);
   const ShortestPath& shortest = references.shortest.value();
   EXPECT_TRUE(std::isinf(shortest.certificate.upper_bound));
-  EXPECT_EQ(shortest.note, "lattice found no path");
+  EXPECT_EQ(shortest.note,
+            "lattice found no path: no motion of the robot's shape leads from start to goal");
   EXPECT_GT(shortest.certificate.lower_bound, 10);
 
   refuse_obstructed(problem_of(world, robot), robot.shape(), 0.2, references);
@@ -129,6 +130,44 @@ TEST(PosePlanner, WithoutAPathOfTheRobotTheUpperBoundIsInfinite) {
   EXPECT_TRUE(std::isfinite(references.shortest->certificate.upper_bound));
   refuse_obstructed(problem_of(world, shorter), shorter.shape(), 0.2, references);
   EXPECT_EQ(references.unsolvable_reason(), "");
+}
+
+TEST(PosePlanner, WhereOnlyReversingLeadsToTheGoalTheNoteSaysSo) {
+  // A corridor of 0.54 m that is closed in the east.
+  Primitives walls;
+  walls.polygons.push_back({{{2, 0}, {6, 0}, {6, 1.73}, {2, 1.73}}});
+  walls.polygons.push_back({{{2, 2.27}, {6, 2.27}, {6, 4}, {2, 4}}});
+  const World world(Scenario::continuous("blind", {0, 0, 6, 4}, walls, {5, 2, 0}, {1, 2}), 0.05);
+  RobotModel robot = rectangle("0.4,0.2; -0.4,0.2; -0.4,-0.2; 0.4,-0.2");
+  EXPECT_EQ(references_of(world, robot).shortest->note,
+            "lattice found no path: a robot that reverses has one of 4 m");
+  robot.forward_only = false;
+  const References references = references_of(world, robot);
+  EXPECT_EQ(references.shortest->note, "");
+  EXPECT_NEAR(references.shortest->certificate.upper_bound, 4, 1e-6);
+
+  robot.forward_only = true;
+  const World beside(Scenario::continuous("beside", {0, 0, 6, 4}, walls, {5, 2, 0}, {2.5, 2.02}),
+                     0.05);
+  const std::string note = references_of(beside, robot).shortest->note;
+  EXPECT_NE(note.find("a robot that reverses has one of 2.4"), std::string::npos) << note;
+  EXPECT_NE(note.find(" m, which ends beside the goal"), std::string::npos) << note;
+}
+
+TEST(PosePlanner, AHolonomicPolygonMovesSidewaysWhereItCannotTurn) {
+  // A corridor of 0.9 m, in which a rectangle of 0.84 m x 0.4 m stands across.
+  Primitives walls;
+  walls.polygons.push_back({{{0, 0}, {8, 0}, {8, 1.53}, {0, 1.53}}});
+  walls.polygons.push_back({{{0, 2.47}, {8, 2.47}, {8, 4}, {0, 4}}});
+  RobotModel robot = rectangle("0.42,0.2; -0.42,0.2; -0.42,-0.2; 0.42,-0.2");
+  robot.kinematics = Kinematics::Holonomic;
+  for (const double x : {5.9, 5.93, 5.96, 6.01}) {
+    const World world(Scenario::continuous("across", {0, 0, 8, 4}, walls, {2, 2, M_PI / 2}, {x, 2}),
+                      0.05);
+    const References references = references_of(world, robot);
+    EXPECT_EQ(references.shortest->note, "") << x;
+    EXPECT_NEAR(references.shortest->certificate.upper_bound, x - 2, 1e-6);
+  }
 }
 
 TEST(PosePlanner, TheSafestPathOfAPolygonIsSampledByDefault) {

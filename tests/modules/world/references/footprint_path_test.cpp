@@ -64,7 +64,11 @@ void expect_valid(const World& world, const Footprint& footprint, const Footprin
     length += driven;
     if (driven > 0) {
       EXPECT_EQ(from.phi, to.phi) << "turns while it drives";
-      EXPECT_NEAR(inverse_compose(from, TPoint2D(to)).x, driven, 1e-9) << "drives sideways";
+      const double ahead = inverse_compose(from, TPoint2D(to)).x;
+      EXPECT_NEAR(path.motion == PolygonMotion::Forward     ? ahead
+                  : path.motion == PolygonMotion::Reversing ? std::abs(ahead)
+                                                            : driven,
+                  driven, 1e-9);
     }
     for (int k = 0; k <= 4; ++k)
       ASSERT_GT(gap_at(world, footprint, interpolate(from, to, k / 4.0)), kMargin);
@@ -73,9 +77,10 @@ void expect_valid(const World& world, const Footprint& footprint, const Footprin
 }
 
 std::optional<FootprintPath> find_path(const World& world, const Footprint& footprint,
-                                       std::string& reason) {
+                                       std::string& reason,
+                                       PolygonMotion motion = PolygonMotion::Forward) {
   return find_footprint_path(world, footprint, world.scenario().start(), world.scenario().goal(),
-                             kMargin, reason, SearchEffort::Thorough);
+                             kMargin, reason, SearchEffort::Thorough, motion);
 }
 
 /// A wall with a door of this width (m); the way leads through it at an angle.
@@ -100,6 +105,40 @@ TEST(FootprintPath, LeadsThroughADoorThatIsWiderThanTheRobot) {
     EXPECT_FALSE(find_path(door(2 * footprint.half_width() - 0.02), footprint, reason));
     EXPECT_NE(reason, "");
   }
+}
+
+/// A corridor from x = 1 to x = 7 of this width (m), too narrow for the rectangle to turn.
+World corridor(double width, double heading) {
+  Primitives walls;
+  const double low = 3 - width / 2, high = 3 + width / 2;
+  walls.polygons = {{{{0, 0}, {8, 0}, {8, low}, {0, low}}},
+                    {{{0, high}, {8, high}, {8, 6}, {0, 6}}},
+                    {{{0, low}, {1, low}, {1, high}, {0, high}}},
+                    {{{7, low}, {8, low}, {8, high}, {7, high}}}};
+  return {Scenario::continuous("corridor", {0, 0, 8, 6}, walls, {2, 3, heading}, {6, 3}), 0.02};
+}
+
+TEST(FootprintPath, OtherMotionsAreUsedOnlyWhereNoFormerLeads) {
+  const Footprint footprint = Footprint::parse(kRectangle);
+  const double length = 0.84, width = 0.42;
+  const struct {
+    double width, heading;
+    PolygonMotion needed;
+  } cases[] = {{width + 0.1, 0, PolygonMotion::Forward},
+               {width + 0.1, M_PI, PolygonMotion::Reversing},
+               {length + 0.07, M_PI / 2, PolygonMotion::Holonomic}};
+  for (const auto& c : cases)
+    for (const PolygonMotion motion :
+         {PolygonMotion::Forward, PolygonMotion::Reversing, PolygonMotion::Holonomic}) {
+      std::string reason;
+      const World world = corridor(c.width, c.heading);
+      const auto path = find_path(world, footprint, reason, motion);
+      ASSERT_EQ(path.has_value(), motion >= c.needed) << c.width << " " << reason;
+      if (!path) continue;
+      EXPECT_EQ(path->motion, c.needed);
+      EXPECT_NEAR(path->length, 4, 0.05);
+      expect_valid(world, footprint, *path);
+    }
 }
 
 TEST(FootprintPath, NoDiscInTheRobotHasAPathIsAProof) {

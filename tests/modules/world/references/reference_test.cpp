@@ -12,8 +12,8 @@ class FixedPlanner : public ReferencePlanner {
  public:
   explicit FixedPlanner(std::optional<Path> path) : path_(std::move(path)) {}
   std::string name() const override { return "Fixed"; }
-  std::optional<Path> plan(const PlanningProblem&, const References&,
-                           std::uint64_t) const override {
+  std::optional<Path> plan(const PlanningProblem&, const References&, std::uint64_t,
+                           std::string&) const override {
     return path_;
   }
 

@@ -12,32 +12,39 @@
 
 namespace slalom {
 
-/// A path of a polygon that turns in place and drives straight ahead.
+/// How a polygon moves: it turns in place and drives straight ahead, or also back, or moves in any
+/// direction.
+enum class PolygonMotion { Forward, Reversing, Holonomic };
+
+/// A path of a polygon.
 struct FootprintPath {
-  /// From the start; from one to the next the robot turns, or drives in its direction.
+  /// From the start; from one to the next the robot turns, or moves with the same heading.
   std::vector<mrpt::math::TPose2D> poses;
-  double length = 0;  ///< m, of the way of the center
+  double length = 0;                              ///< m, of the way of the center
+  PolygonMotion motion = PolygonMotion::Forward;  ///< the first of its order that leads there
 };
 
 /// How far find_footprint_path() searches: among 30,000 poses where a draw that it does not solve
-/// is replaced by another, or among three times as many and with finer boxes.
+/// is replaced by another, or several times among as many and with finer boxes.
 enum class SearchEffort { Quick, Thorough };
 
-/// Searches for a path on which a robot that turns in place and drives forward keeps `margin` (m)
-/// from all obstacles, checked as the motion of a run is. It ends at the goal with any heading,
-/// or where that is not found at most a sixth of the robot's half width from it. nullopt with
-/// `reason` if none was found: that is a proof that there is none if a disc in the robot has no
-/// path, or the robot is_obstructed().
+/// Searches for a path on which a robot that moves so keeps `margin` (m) from all obstacles,
+/// checked as the motion of a run is; with other motions than Forward only if it searches
+/// thoroughly by boxes, and only where none of the former leads there. It ends at the goal with any
+/// heading, or where that is not found at most a sixth of the robot's half width from it. nullopt
+/// with `reason` if none was found: that is a proof that there is none if a disc in the robot has
+/// no path, or the robot is_obstructed().
 ///
 /// Method: shortest paths of discs of half the width and more, driven along; where the robot does
 /// not pass on them, weighted A* on a lattice of positions around the start and 32 directions from
 /// one of them to others, guided by distances among cells that are wide enough for its sides, or
-/// thoroughly by the boxes of is_obstructed() between a pose and the goal.
+/// thoroughly by the boxes of is_obstructed() between a pose and the goal, if it has these.
 std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
                                                  const mrpt::math::TPose2D& start,
                                                  const mrpt::math::TPoint2D& goal, double margin,
                                                  std::string& reason,
-                                                 SearchEffort effort = SearchEffort::Quick);
+                                                 SearchEffort effort = SearchEffort::Quick,
+                                                 PolygonMotion motion = PolygonMotion::Forward);
 
 /// The reason that is_obstructed() is.
 constexpr char kObstructed[] = "no motion of the robot's shape leads from start to goal";

@@ -115,9 +115,9 @@ class ReferencePlanner {
   }
   /// A free path within the gap of the best (length at most (1 + gap) times the certified lower
   /// bound; bottleneck at least (1 - gap) times the widest), or the best found so far; nullopt if
-  /// it found none. `exact` has the reference of its objective.
+  /// it found none, for which it may state a reason. `exact` has the reference of its objective.
   virtual std::optional<Path> plan(const PlanningProblem& problem, const References& exact,
-                                   std::uint64_t seed) const = 0;
+                                   std::uint64_t seed, std::string& reason) const = 0;
 };
 constexpr auto enum_names(ReferencePlanner::Objective) {
   return std::array{"length", "clearance"};
