@@ -8,7 +8,7 @@ const statements = (cluster) => cluster.statements.map((text) => finding(text, t
 function clustersSection() {
   if (report.clusters.length === 0) return null;
   const item = (cluster, i) => card(
-    html("h4", {}, html("a", { href: "cluster.html#" + (i + 1) }, clusterName(cluster))), statements(cluster),
+    html("h3", { class: "title" }, html("a", { href: "cluster.html#" + (i + 1) }, clusterName(cluster))), statements(cluster),
     html("p", { class: "support" }, cluster.basis));
   return report.clusters.map(item);
 }

@@ -50,7 +50,7 @@ function choiceTable(rows, quantity, across, methods) {
   const digits = digitsOf(rows.flatMap(({ groups }) => groups), { rate: isRate(quantity) });
   const line = ({ title, words, groups }) => html("tr", {}, html("th", {}, title),
     methods.map((method, at) => describedCell(groups[at], listAddress(methodWord(method), ...words), digits, isRate(quantity))));
-  return card(html("h4", {}, "Values"),
+  return card(html("h2", { class: "title" }, "Values"),
     tableOf({ class: "even", style: `min-width:${9 + 9 * methods.length}rem` },
             [heading(axisLabel(across)), methods.map((method) => html("th", {}, methodName(method)))], rows.map(line)),
     html("p", { class: "support" }, "Each cell: " + (isRate(quantity) ? "the fraction of the values that are 1 with its interval, where each scenario " +
@@ -65,13 +65,13 @@ function showSelection(runs) {
   const most = 24, scenarios = [...new Set(runs.map((run) => report.runs[run][0]))], shown = scenarios.slice(0, most);
   const runsOf = (scenario) => runs.map((run) => report.runs[run]).filter((run) => run[0] === scenario);
   element("selection").replaceChildren(
-    html("h4", {}, `${plural(runs.length, "selected run")} in ${plural(scenarios.length, "scenario")}` +
+    html("h2", { class: "title" }, `${plural(runs.length, "selected run")} in ${plural(scenarios.length, "scenario")}` +
                    (shown.length < scenarios.length ? `, the first ${most}:` : "")),
     html("div", { class: "gallery" }, shown.map((scenario) => figureOf(report.scenarios[scenario], runsOf(scenario)))));
   for (const page of new Set(shown.map((scenario) => report.scenarios[scenario].page))) loadScript(`data/pictures-${page}.js`);
 }
 
-const chartCard = (title, ...content) => html("div", { class: "card chart-card" }, html("h4", {}, title), ...content.flat());
+const chartCard = (title, ...content) => html("div", { class: "card chart-card" }, html("h2", { class: "title" }, title), ...content.flat());
 
 function distributionCards(quantity, values, groups) {
   const box = boxChart(quantity, values, groups);

@@ -30,7 +30,7 @@ function outcomesTable(runs, hash) {
 function figureOf(scenario, runs) {
   const value = (number, { id, unit }) => [html("dt", {}, id), typeof number === "number"
     ? html("dd", {}, fixed(number, 3) + (unit === "-" ? "" : " " + unit)) : html("dd", { class: "na" }, "NA: " + number)];
-  return html("figure", { id: "s-" + scenario.hash }, html("h4", {}, scenario.name), html("div", { class: "picture" }),
+  return html("figure", { id: "s-" + scenario.hash }, html("h3", { class: "title" }, scenario.name), html("div", { class: "picture" }),
     html("figcaption", {}, outcomesTable(runs, scenario.hash),
          html("dl", { class: "values" }, scenario.values.map((number, i) => value(number, report.descriptors[i])))));
 }

@@ -69,6 +69,6 @@ function commonSection() {
     html("th", {}, metric, html("br"), html("span", { class: "support" }, `on ${scenarios} of ${plural(scenarios + left_out, "scenario")}`)));
   const line = (_, i) => html("tr", {}, html("th", { class: "name" }, methodName(i)),
     report.common_scenarios.map(({ methods }, at) => tableCell(methods[i].cell, scales[at], methods[i].runs)));
-  return card(html("h4", {}, "On the scenarios that all methods solved"),
+  return card(html("h3", { class: "title" }, "On the scenarios that all methods solved"),
               tableOf({}, [heading("Method"), head], report.methods.map(line)));
 }

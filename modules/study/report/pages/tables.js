@@ -64,7 +64,7 @@ function crossTable(table, descriptor, scales) {
   const runsOf = ({ runs }) => html("a", { class: "support", href: runsLink(runs) }, plural(report.groups[runs].runs.length, "run"));
   const line = (row) => html("tr", {}, html("th", {}, row.bin, runsOf(row)),
                              scales.map((scale, i) => tableCell(row.cells[i], scale, row.runs)));
-  return card(html("h4", {}, methodName(table.method)),
+  return card(html("h3", { class: "title" }, methodName(table.method)),
     tableOf({ class: "even", style: width }, [heading(descriptor.name + unitText(descriptor)), report.columns.map((column) => headerCell(column, descriptor.id))], table.rows.map(line)),
     missingNote(table.rows), table.notes.map((note) => html("p", { class: "support" }, note)));
 }

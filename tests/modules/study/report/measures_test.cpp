@@ -82,6 +82,8 @@ TEST_F(PageMeasures, EveryTextHasContrastAndNoPageOfAPhoneScrollsSideways) {
       EXPECT_GE(found[i]["texts"], 30) << pages[i] << found[i];
       EXPECT_LE(found[i]["width"], width) << pages[i] << found[i];
       EXPECT_EQ(found[i]["outside"], nlohmann::json::array()) << pages[i] << " " << width;
+      EXPECT_EQ(found[i]["skipped"], nlohmann::json::array()) << pages[i];
+      EXPECT_EQ(found[i]["mains"], 1) << pages[i];
       EXPECT_LE(found[i]["stops"], i == 2 ? 250 : 150) << pages[i] << found[i];
     }
   }

@@ -6,7 +6,8 @@ namespace slalom {
 /// JavaScript that measures pages of the report in frames of the same origin: `measure(document)`
 /// has the height and the width, the number of tab stops, and the least contrast of any text with
 /// what lies below it (WCAG 2, 1.4.3; without the text in pictures of scenarios), and where;
-/// and what ends right of the page, except in tables of cards and the navigation, which scroll.
+/// what ends right of the page, except in tables of cards and the navigation, which scroll; and the
+/// headings that are more than one level below the one before.
 inline constexpr const char* kPageProbe = R"js(
 const rgba = (text) => { const n = text.match(/[\d.]+/g).map(Number); return n.length < 4 ? [...n, 1] : n; };
 const over = (top, below) => top.slice(0, 3).map((v, i) => v * top[3] + below[i] * (1 - top[3])).concat(1);
@@ -42,10 +43,14 @@ function outside(page) {
   return [...page.body.querySelectorAll("*")].filter((node) => isDrawn(node) && !node.matches(scrolls) &&
     node.getBoundingClientRect().right > right).map((node) => node.tagName + " " + node.textContent.slice(0, 40));
 }
+function skipped(page) {
+  const headings = [...page.querySelectorAll("h1, h2, h3, h4, h5, h6")].filter(isDrawn), level = (h) => +h.tagName[1];
+  return headings.filter((h, i) => level(h) > (i ? level(headings[i - 1]) : 0) + 1).map((h) => h.textContent);
+}
 function measure(page) {
   const stops = [...page.querySelectorAll("a[href], button, input, select, summary, iframe, [tabindex]")];
   return Object.assign({ height: page.documentElement.scrollHeight, width: page.documentElement.scrollWidth,
-    outside: outside(page), stops: stops.filter((node) => node.tabIndex >= 0 && isDrawn(node)).length }, leastContrast(page));
+    outside: outside(page), skipped: skipped(page), mains: page.querySelectorAll("main").length, stops: stops.filter((node) => node.tabIndex >= 0 && isDrawn(node)).length }, leastContrast(page));
 }
 const milliseconds = (action) => { const start = performance.now(); action(); return performance.now() - start; };
 function show(result) { document.body.replaceChildren(JSON.stringify(result)); }

@@ -205,7 +205,7 @@ TEST_F(ReportPages, ShadeNoCellOfSurvivorsAndCompareOnCommonScenarios) {
   }
   EXPECT_GE(survivors, 8u);
   EXPECT_GE(shaded, 3u + 12u) << "success of each method, and the common scenarios";
-  EXPECT_EQ(count(page, "<h4>On the scenarios that all methods solved</h4>"), 1u);
+  EXPECT_EQ(count(page, "<h3 class=\"title\">On the scenarios that all methods solved</h3>"), 1u);
   const auto common = report_json()["common_scenarios"];
   ASSERT_EQ(common.size(), 4u);
   EXPECT_EQ(common[0]["metric"], "optimality");
@@ -252,7 +252,7 @@ TEST_F(ReportPages, TheListOfRunsIsFilteredSortedAndExtendedByItsAddress) {
 TEST_F(ReportPages, AnyMetricByAnyDescriptorLeadsToItsRuns) {
   write(make_results(12));
   const std::string page = open("explore.html#metric=optimality&by=density");
-  EXPECT_EQ(count(page, "<h4>Optimality by Density</h4>"), 1u);
+  EXPECT_EQ(count(page, "<h2 class=\"title\">Optimality by Density</h2>"), 1u);
   EXPECT_EQ(count(page, ">good, "), 4u) << "a median per quarter";
   EXPECT_EQ(count(page, ": 0.900 [0.900, 0.900], n=3</title>"), 4u) << "with its quartiles";
   EXPECT_EQ(count(page, "NA: 12 collision"), 1u) << "of <bad>, over all bins";
@@ -279,7 +279,7 @@ TEST_F(ReportPages, ARateIsExploredByItsProportions) {
   const std::string page = open("explore.html#metric=success&by=density");
   EXPECT_EQ(count(page, ">3/3<"), 4u) << "of good, in each quarter";
   EXPECT_EQ(count(page, ">0/12<"), 1u) << "of <bad>, over all bins";
-  EXPECT_EQ(count(page, "<h4>Success by Density</h4>"), 1u);
+  EXPECT_EQ(count(page, "<h2 class=\"title\">Success by Density</h2>"), 1u);
   // Wilson's interval of 3 of 3 with z = 1.96: (1 + z^2 / 6) / (1 + z^2 / 3) = 0.7192, less
   // z / (1 + z^2 / 3) z / 6 = 0.2808.
   EXPECT_EQ(count(page, ": 1.00 [0.44, 1.00], 3/3</title>"), 4u) << "of good, in each quarter";
@@ -347,7 +347,7 @@ addEventListener("message", ({ data }) => {
 });
 )js");
   std::ofstream(report_folder() / "moved.html") << packed;
-  EXPECT_EQ(count(open("moved.html"), "<h4>Optimality by Density</h4>"), 1u);
+  EXPECT_EQ(count(open("moved.html"), "<h2 class=\"title\">Optimality by Density</h2>"), 1u);
 }
 
 TEST_F(ReportPages, ABoxAroundRunsShowsTheirScenarios) {
@@ -363,9 +363,11 @@ addEventListener("load", () => {
 });
 )js";
   const std::string page = open("explore.html#metric=success&by=density");
-  EXPECT_EQ(count(page, "<h4>12 selected runs in 6 scenarios</h4>"), 1u);
+  EXPECT_EQ(count(page, "<h2 class=\"title\">12 selected runs in 6 scenarios</h2>"), 1u);
   for (int i = 0; i < 12; ++i)
-    EXPECT_EQ(count(page, "<h4>room " + std::to_string(i) + "</h4>"), i < 6 ? 1u : 0u) << i;
+    EXPECT_EQ(count(page, "<h3 class=\"title\">room " + std::to_string(i) + "</h3>"),
+              i < 6 ? 1u : 0u)
+        << i;
   EXPECT_EQ(count(page, "<div class=\"picture\"><svg"), 6u);
 }
 

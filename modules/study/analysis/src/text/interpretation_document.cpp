@@ -224,10 +224,11 @@ std::string render_html(const Interpretation& interpretation, const std::string&
   const std::string footnote = escaped(printable_line(interpretation.footnote));
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
          "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         heading + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + heading +
-         "</h1>\n" + (remarks.empty() ? "" : "<ul class=\"card\">\n" + remarks + "</ul>\n") +
-         tables + (footnote.empty() ? "" : "<p>" + footnote + "</p>\n") + "<p>Slalom " + version() +
-         "</p>\n</body>\n</html>\n";
+         heading + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" +
+         heading + "</h1>\n" +
+         (remarks.empty() ? "" : "<ul class=\"card\">\n" + remarks + "</ul>\n") + tables +
+         (footnote.empty() ? "" : "<p>" + footnote + "</p>\n") + "<p>Slalom " + version() +
+         "</p>\n</main>\n</body>\n</html>\n";
 }
 
 }  // namespace slalom
