@@ -142,7 +142,7 @@ TEST_F(Certify, RefusesQuestionsThatCannotBeAnswered) {
       {width + range + "--require 2", {"--require 2", "--from and --to"}},
       {width + "--from 1.2 --to 0.6 --step 0.02", {"two cells", "simulation.resolution=0.01"}},
       {width + "--from 1.2 --to 0.6 --step 0.25", {"does not divide"}},
-      {width + "--from 1.2 --to 1.2 --step 0.1", {"does not divide"}},
+      {width + "--from 1.2 --to 1.2 --step 0.1", {"--to 1.2 m: is the value of --from"}},
       {width + "--from 1.2 --to 0.6 --step -0.1", {"--step -0.1", "positive"}},
       {width + "--from 6 --to 1 --step 1", {"--of generator.passage.max_width", "no wall"}},
       {width + "--from 0.4 --to 1.6 --step 0.4", {"--from 0.4 --to 1.6", "the easy end first"}},

@@ -253,9 +253,9 @@ TEST_F(Evaluate, RejectsAnOverrideWhoseValueIsASeparateWord) {
 
 TEST_F(Evaluate, RejectsRowsWithoutBinsWithAnExample) {
   std::string campaign = kSmallCampaign;
-  write("small.ini", campaign.replace(campaign.find(":0,0.05,1"), 9, ""));
+  write("small.ini", campaign.replace(campaign.find(":0,0.05,1"), 9, ","));
   expect_failure("slalom-evaluate small.ini -o out", 2,
-                 {"small.ini:21: [analysis] rows 'density'", "density:0,0.1,0.2", "density:q4"});
+                 {"small.ini:21: [analysis] rows 'density,'", "density:0,0.1,0.2", "density:q4"});
 }
 
 TEST_F(Evaluate, TakesTheConfigurationAsAnArgumentOrAnOption) {

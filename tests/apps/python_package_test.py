@@ -582,7 +582,9 @@ class FilesAndFigures(unittest.TestCase):
         self.assertEqual(pathlib.Path(self.path("scene.svg")).read_text(), figure)
         self.assertIn(">density", self.results.figure(metric="success", by="density:q2").lower())
         self.assertIn("success", self.results.figure(outcomes=True))
-        for message, options in {"no such scenario": {"scenario": "none"}, "--scenario,--cell": {}}.items():
+        with self.assertRaisesRegex(slalom.Error, "^metric success: needs by; expected by density:q4$"):
+            self.results.figure(metric="success")
+        for message, options in {"no such scenario": {"scenario": "none"}, "scenario,cell": {}}.items():
             with self.assertRaisesRegex(slalom.Error, "(?<!slalom-analyze: )" + message):
                 self.results.figure(**options)
 

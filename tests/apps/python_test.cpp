@@ -135,10 +135,31 @@ TEST_F(PythonProgramTest, AnEnvironmentOfAnotherVersionIsNotUsedAndNamedWhereAMo
   std::filesystem::create_directories(folder_ / "env/lib/python3.2/site-packages");
   const std::string environment = "VIRTUAL_ENV=" + (folder_ / "env").string();
   EXPECT_EQ(runs("none", "", environment), runs("none"));
-  expect_outcome("method_error", "/env, which was not used; expected an environment of Python 3.",
-                 runs("package", "", environment));
-  expect_outcome("method_error", "CONDA_PREFIX is /opt/conda, which was not used; expected",
-                 runs("package", "", "-u VIRTUAL_ENV CONDA_PREFIX=/opt/conda"));
+  const auto printed = [this] {
+    return run("slalom-analyze show runs.results --run random_0000/mine/0").out;
+  };
+  const auto records = runs("package", "", environment);
+  EXPECT_NE(printed().find("/env, which was not used; expected an environment of Python 3."),
+            std::string::npos);
+  EXPECT_EQ(runs("package", "", "-u VIRTUAL_ENV CONDA_PREFIX=/opt/conda"), records)
+      << "results do not depend on it";
+  EXPECT_NE(printed().find("CONDA_PREFIX is /opt/conda, which was not used"), std::string::npos);
+  std::ofstream(folder_ / "lacking.py") << "import only_elsewhere\n";
+  const ProgramResult lacking =
+      run("env CONDA_PREFIX=/opt/conda slalom-evaluate small.ini -o lacking --quiet "
+          "--set method.mine.module=lacking.py");
+  EXPECT_NE(lacking.err.find("not in Python 3."), std::string::npos) << lacking.err;
+  EXPECT_NE(lacking.err.find("CONDA_PREFIX is /opt/conda"), std::string::npos) << lacking.err;
+  // A folder like that of an environment is none if no environment is activated.
+  ASSERT_EQ(
+      run(PYTHON " -c 'import os, sys; os.makedirs(\"lib/python%d.%d\" % sys.version_info[:2])'")
+          .status,
+      0);
+  const ProgramResult beside =
+      run("env -u VIRTUAL_ENV slalom-evaluate small.ini -o lacking --quiet "
+          "--set method.mine.module=lacking.py");
+  EXPECT_NE(beside.err.find("not in Python 3."), std::string::npos) << beside.err;
+  EXPECT_EQ(beside.err.find("(bin/python3)"), std::string::npos) << beside.err;
 }
 
 TEST_F(PythonProgramTest, AnotherModuleIsAnotherCampaign) {

@@ -239,6 +239,7 @@ TEST_F(Replay, RejectsInvalidInput) {
   expect_failure("slalom-replay openloop " + log_of("nd") + " --method vfh -c small.ini", 2,
                  {"method.vfh"});
   expect_failure("slalom-replay play " + log_of("nd"), 2, {"--png"});
+  expect_failure("slalom-replay play none.rawlog", 3, {"none.rawlog", "No such file"});
   write("cut.rawlog", read(log_of("nd")).substr(0, 5000));
   expect_failure("slalom-replay check cut.rawlog", 3, {"cut.rawlog", "truncated"});
 }

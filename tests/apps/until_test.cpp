@@ -97,8 +97,8 @@ TEST_F(Until, RejectsInvalidRules) {
   expect_failure(command + "--until 'interval(sucess) < 0.1'", 2, {"sucess", "'success'"});
   expect_failure(command + "--until 'interval(success) < 0.1 in densty:3'", 2,
                  {"densty", "'density'"});
-  expect_failure(command + "--until 'interval(success) < 0.1 in density'", 2,
-                 {"--until 'density'", "density:q4"});
+  expect_failure(command + "--until 'interval(success) < 0.1 in density:'", 2,
+                 {"--until 'density:'", "density:q4"});
   expect_failure(command + "--until 'interval(success) < 0.1 in density:@by_density'", 2,
                  {"--until", "@by_density"});
   expect_failure(command + "--until 'compare(success, gap, dn) decided'", 2, {"--until", "'dn'"});

@@ -98,6 +98,9 @@ std::vector<std::string> parameter_names() {
 
 std::size_t Bins::count() const {
   const double count = std::abs(to - from) / step;
+  if (to == from)
+    throw usage_error(to_option + " " + value_text(to), "is the value of " + from_option,
+                      "another value");
   if (!(step > 0) || !std::isfinite(step))
     throw usage_error(step_option + " " + format_number(step), "is not positive",
                       "a positive number");

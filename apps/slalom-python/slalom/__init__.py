@@ -22,6 +22,7 @@ import html
 import itertools
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -425,10 +426,12 @@ def _analyze(verb: str, results: Sequence[Results], options: Dict[str, Any]) -> 
         if value is not None and value is not False:
             is_list = isinstance(value, (list, tuple))
             text = ",".join(map(str, value)) if is_list else value
-            words.append(f"--{name}" if value is True else f"--{name}={text}")
+            option = "--" + name.replace("_", "-")
+            words.append(option if value is True else f"{option}={text}")
     done = subprocess.run(words, capture_output=True, encoding="utf-8", cwd=folder)
     if done.returncode != 0:
-        raise Error(done.stderr.strip().replace("slalom-analyze: ", "", 1))
+        text = re.sub(r" \(see '[^']*'\)", "", done.stderr.strip().replace("slalom-analyze: ", "", 1))
+        raise Error(re.sub(r"(?<![^\s\[,])--([a-z][a-z-]*)(?![^\s,;:\]])", lambda m: m[1].replace("-", "_"), text))
     return done.stdout
 
 

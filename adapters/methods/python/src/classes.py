@@ -32,14 +32,16 @@ def import_module(path, where):
     try:
         spec.loader.exec_module(module)
     except BaseException as error:
-        raise Invalid(where, f"{path} cannot be imported: {describe(error)}", "") from None
+        place = searched() if isinstance(error, ModuleNotFoundError) else ""
+        raise Invalid(where, f"{path} cannot be imported: {describe(error)}{place}", "") from None
     return module
 
 
 def find_class(module, name, where):
     classes = [key for key, value in vars(module).items() if isinstance(value, type)]
     if name not in classes:
-        raise Invalid(where, f"no class '{name}' in the module", nearest(name, classes, "a class with step()"))
+        what = f"no class '{name}' in the module" if name else "missing"
+        raise Invalid(where, what, nearest(name, classes, "a class with step()"))
     return getattr(module, name)
 
 
@@ -129,9 +131,24 @@ def option_ranges(method, options, where):
     return found
 
 
+def searched():
+    """The Python that did not find a module, and the environment that could be meant."""
+    version = "Python {}.{}".format(*sys.version_info)
+    text = f"; not in {version} ({sys.executable})"
+    activated = {name: os.environ[name] for name in ("VIRTUAL_ENV", "CONDA_PREFIX") if os.environ.get(name)}
+    is_embedded = __file__ == "<slalom>"
+    if is_embedded and not any(os.path.realpath(sys.prefix) == os.path.realpath(path) for path in activated.values()):
+        for name, folder in activated.items():
+            text += f"; {name} is {folder}, which was not used; expected an environment of {version} by venv"
+            text += ", or slalom.evaluate() in its own Python"
+    return text
+
+
 def describe(error):
-    """One line: type, text and where it was raised. The traceback goes to standard error."""
+    """One line: type, text and where it was raised, without folders of the machine. The traceback goes to standard error."""
     traceback.print_exception(type(error), error, error.__traceback__)
+    if isinstance(error, ModuleNotFoundError):
+        print(error, searched(), sep="", file=sys.stderr)
     text = ": ".join(filter(None, (type(error).__name__, str(error)))).replace("\n", " ")
     frames = [
         f"{os.path.basename(frame.filename)}:{frame.lineno} in {frame.name}"

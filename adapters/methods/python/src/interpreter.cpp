@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interpreter.h"
-#include "python_class.h"
 
 #include <slalom/core/program_path.h>
 
+#include <Python.h>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <filesystem>
@@ -14,39 +14,18 @@
 namespace slalom {
 namespace {
 
-const std::string kVersion =
-    std::to_string(PY_MAJOR_VERSION) + "." + std::to_string(PY_MINOR_VERSION);
-
-/// The folder of an activated environment, or "".
-std::filesystem::path environment(const char* name) {
-  const char* folder = std::getenv(name);
-  return folder == nullptr ? "" : folder;
-}
-
-/// Packages of another version of Python cannot be imported.
-bool is_of_this_version(const std::filesystem::path& environment) {
-  std::error_code ignored;
-  return std::filesystem::is_directory(environment / "lib" / ("python" + kVersion), ignored);
-}
-
-/// The environment that could be meant where a module is missing. Conda has a standard library of
-/// its own.
-std::string unused_environment() {
-  for (const std::string name : {"VIRTUAL_ENV", "CONDA_PREFIX"}) {
-    const std::filesystem::path folder = environment(name.c_str());
-    if (!folder.empty() && (name == "CONDA_PREFIX" || !is_of_this_version(folder)))
-      return "; " + name + " is " + folder.string() +
-             ", which was not used; expected an environment of Python " + kVersion +
-             " by venv, or slalom.evaluate() in its own Python";
-  }
-  return "";
-}
-
-/// Environments of Python are found through the path of their interpreter.
+/// Environments of Python are found through the path of their interpreter. Packages of another
+/// version cannot be imported.
 std::string interpreter_path() {
-  const std::filesystem::path folder = environment("VIRTUAL_ENV");
-  return is_of_this_version(folder) ? (folder / "bin" / "python3").string()
-                                    : SLALOM_PYTHON_EXECUTABLE;
+  const char* environment = std::getenv("VIRTUAL_ENV");
+  const std::filesystem::path folder = environment == nullptr ? "" : environment;
+  if (folder.empty()) return SLALOM_PYTHON_EXECUTABLE;
+  const std::string version =
+      std::to_string(PY_MAJOR_VERSION) + "." + std::to_string(PY_MINOR_VERSION);
+  std::error_code ignored;
+  return std::filesystem::is_directory(folder / "lib" / ("python" + version), ignored)
+             ? (folder / "bin" / "python3").string()
+             : SLALOM_PYTHON_EXECUTABLE;
 }
 
 /// The standard library that is beside the programs of an archive (scripts/archive.sh), or "".
@@ -99,12 +78,6 @@ void start_interpreter() {
     require(PyConfig_SetBytesString(&config, &config.home, home.c_str()));
   require(Py_InitializeFromConfig(&config));
   PyEval_SaveThread();
-}
-
-std::string describe(const pybind11::error_already_set& error) {
-  std::string text = describe_error(error);
-  if (error.matches(PyExc_ModuleNotFoundError)) text += unused_environment();
-  return text;
 }
 
 }  // namespace slalom

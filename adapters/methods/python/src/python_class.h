@@ -39,7 +39,9 @@ std::vector<TunableParameter> class_option_ranges(const pybind11::object& type,
                                                   const pybind11::object& options,
                                                   const std::string& where);
 
-/// One line: type, text and where it was raised. Prints the traceback to standard error.
+/// The exception on one line: "ValueError: negative gain (my_method.py:31 in step)", functions from
+/// the outermost to the one that raised it. Prints the traceback to standard error, and where a
+/// module is missing which Python searched.
 std::string describe_error(const pybind11::error_already_set& error);
 
 }  // namespace slalom

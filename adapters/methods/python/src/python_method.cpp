@@ -188,7 +188,7 @@ class PythonMethod : public Method {
     try {
       action();
     } catch (const py::error_already_set& error) {
-      throw MethodError(describe(error));
+      throw MethodError(describe_error(error));
     }
   }
 
@@ -208,7 +208,7 @@ std::unique_ptr<Method> create(const py::object& type, const py::object& options
   } catch (const py::error_already_set& error) {
     throw usage_error(where,
                       std::string(py::str(py::getattr(type, "__name__", py::str("object")))) +
-                          " cannot be created: " + describe(error));
+                          " cannot be created: " + describe_error(error));
   }
 }
 

@@ -3,8 +3,11 @@
 
 #include <slalom/core/distance.h>
 #include <slalom/core/error.h>
+#include <slalom/core/math.h>
 #include <slalom/core/text.h>
 #include <slalom/references/exact_shortest.h>
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <set>
@@ -138,6 +141,14 @@ std::vector<Scenario> sample_tasks(const Scenario& map, const GenerationSettings
                                    const TaskConstraints& limits) {
   constexpr double kMargin = 0.05;  // m, so that the robot does not start in contact
   constexpr int kDrawsPerAttempt = 1000;
+  const Bounds& bounds = map.bounds();
+  const double diagonal = math::hypot(bounds.width(), bounds.height());
+  if (limits.min_distance > diagonal)
+    throw usage_error(map.name(),
+                      fmt::format("a distance of {:g} m between start and goal does not fit into "
+                                  "the map, whose diagonal is {:.4g} m",
+                                  limits.min_distance, diagonal),
+                      "a smaller min_distance");
   const World world(map, settings.resolution);
   const FreeRegions regions(world,
                             passing_radius(settings.robot_radius, settings.footprint) + kMargin,

@@ -28,16 +28,18 @@ std::vector<double> read_weights(const IniFile& ini, const ScenariosSection& sec
   return weights;
 }
 
+void require_known(const std::string& family, const std::string& where) {
+  const std::vector<std::string> known = generator_names();
+  if (!contains(known, family))
+    throw usage_error(where, "unknown generator '" + family + "'", expected_name(family, known));
+}
+
 /// Rejects option sections of unknown families.
 void refuse_unknown_families(const IniFile& ini) {
   const std::string prefix = "generator.";
-  const std::vector<std::string> known = generator_names();
   for (const std::string& section : ini.sections()) {
-    if (!starts_with(section, prefix)) continue;
-    const std::string family = section.substr(prefix.size());
-    if (contains(known, family)) continue;
-    throw usage_error(ini.where(section), "unknown generator '" + family + "'",
-                      expected_name(family, known));
+    if (starts_with(section, prefix))
+      require_known(section.substr(prefix.size()), ini.where(section));
   }
 }
 
@@ -56,6 +58,7 @@ std::vector<WeightedGenerator> read_mix(const IniFile& ini, const ScenariosSecti
     if (std::count(names.begin(), names.end(), names[i]) > 1)
       throw usage_error(ini.where("scenarios", "generator"), "duplicate family '" + names[i] + "'",
                         "each family once");
+    require_known(names[i], ini.where("scenarios", "generator"));
     mix.push_back({make_generator(names[i], ini, families), weights[i],
                    source_seed(context.seed, names[i]), names[i]});
   }

@@ -95,7 +95,7 @@ class Lexer {
         token.position,
         printable ? "unexpected '" + std::string(1, text_[at_]) + "'"
                   : std::string("unexpected unprintable character"),
-        "a field, a number, a text in quotes, or one of < <= > >= = != ( ) [ ] ,");
+        "a field, a number, a text in quotes, and, or, not, or one of < <= > >= = != ( ) [ ] ,");
   }
 
   const std::string& text_;

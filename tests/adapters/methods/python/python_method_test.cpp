@@ -233,6 +233,8 @@ TEST(PythonMethod, IsRefusedWithoutAModuleThatCanBeImported) {
 TEST(PythonMethod, IsRefusedWithoutAClassThatIsComplete) {
   EXPECT_TRUE(refuses(section_for("echo.py", "Ecko"), "4: [method.a] class",
                       {"no class 'Ecko'", "'Echo'"}));
+  EXPECT_TRUE(refuses("[method.a]\nadapter = python\nmodule = echo.py\n", " [method.a] class",
+                      {"missing", "a class with step()"}));
   EXPECT_TRUE(
       refuses(section_for("echo.py", "NoStep"), "4: [method.a] class", {"NoStep has no step()"}));
   EXPECT_TRUE(refuses(section_for("echo.py", "BadOptions"), "4: [method.a] class",

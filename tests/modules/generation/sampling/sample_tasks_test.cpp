@@ -46,6 +46,18 @@ TEST(SampleTasks, PairsAreSolvableDistinctAndFarEnoughApart) {
   EXPECT_EQ(hashes.size(), 10U);
 }
 
+TEST(SampleTasks, ADistanceThatIsLargerThanTheMapIsRefused) {
+  const Scenario map = two_rooms(true);
+  const double diagonal = std::hypot(map.bounds().width(), map.bounds().height());
+  try {
+    sample_tasks(map, pairs(1), 1.01 * diagonal);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("whose diagonal is"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(SampleTasks, AreThoseOfTheShapeOfARobotThatTurnsInPlace) {
   // 1.2 m long and 0.6 m wide, with its center at the rear: its disc of 0.95 m does not pass the
   // door of 1 m.
@@ -154,8 +166,9 @@ TEST(SampleTasks, RejectsContradictoryLimits) {
 TEST(SampleTasks, ReportsWhyThereAreNoPairs) {
   GenerationSettings settings = pairs(1);
   settings.attempts_per_scenario = 3;
+  const Scenario map = two_rooms(true);
   try {
-    sample_tasks(two_rooms(true), settings, 100);
+    sample_tasks(map, settings, std::hypot(map.bounds().width(), map.bounds().height()));
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.exit_status(), 1);

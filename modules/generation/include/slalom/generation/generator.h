@@ -84,7 +84,7 @@ struct TaskConstraints {
 
 /// Samples `count` distinct pairs of start pose and goal on a map, each with a collision-free path
 /// and within the limits. Attempts and errors as in generate_solvable(); Error (Usage) for
-/// contradictory limits.
+/// contradictory limits, or a distance that is larger than the map.
 std::vector<Scenario> sample_tasks(const Scenario& map, const GenerationSettings& settings,
                                    const TaskConstraints& limits);
 

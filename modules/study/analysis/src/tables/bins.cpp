@@ -13,7 +13,7 @@ namespace {
 
 constexpr long long kMaxBins = 1000;
 constexpr const char* kForms =
-    "all, ID:EDGE,EDGE,..., ID:COUNT, ID:qCOUNT or ID:@INDEX, such as density:0,0.1,0.2 or "
+    "all, ID, ID:EDGE,EDGE,..., ID:COUNT, ID:qCOUNT or ID:@INDEX, such as density:0,0.1,0.2 or "
     "density:q4";
 
 /// The text of a specification and where it is.
@@ -120,7 +120,9 @@ BinSpec parse_bin_spec(const std::string& text, const std::string& where) {
   const Source source = {where, text};
   const std::vector<std::string> parts = split(text, ':');
   if (parts.size() == 1 && parts[0] == "all") return {};
-  if (parts.size() == 1) throw source.error("no bins");
+  if (parts.size() == 1 && text.find_first_of(",@ ") != std::string::npos)
+    throw source.error("no bins");
+  if (parts.size() == 1 && !parts[0].empty()) return parse_bin_spec(text + ":q4", where);
   if (parts.size() != 2 || parts[0].empty() || parts[1].empty()) {
     throw source.error("malformed");
   }

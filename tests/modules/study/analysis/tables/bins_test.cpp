@@ -29,19 +29,20 @@ TEST(Bins, ParseAllForms) {
 
 TEST(Bins, RejectMalformedSpecifications) {
   for (const char* spec :
-       {"", "density", ":4", "density:", "density:0", "density:-3", "density:x", "density:1,x",
-        "density:1,1", "density:2,1", "density:nan,1", "density:q", "density:q0", "density:@",
-        "density:equal:3", "density:9999999"}) {
-    EXPECT_TRUE(throws_error(ErrorKind::Usage, "rows", {"expected all, ID:EDGE"}, [&] {
+       {"", ":4", "density,", "0,0.1", "@x", "density:", "density:0", "density:-3", "density:x",
+        "density:1,x", "density:1,1", "density:2,1", "density:nan,1", "density:q", "density:q0",
+        "density:@", "density:equal:3", "density:9999999"}) {
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, "rows", {"expected all, ID, ID:EDGE"}, [&] {
       parse_bin_spec(spec);
     })) << spec;
   }
 }
 
-TEST(Bins, RejectADescriptorWithoutEdgesWithExamples) {
-  EXPECT_TRUE(throws_error(ErrorKind::Usage, "a.ini:3: [analysis] rows 'density': no bins",
-                           {"such as density:0,0.1,0.2 or density:q4"},
-                           [] { parse_bin_specs("all; density", "a.ini:3: [analysis] rows"); }));
+TEST(Bins, OfADescriptorAloneAreQuarters) {
+  const auto specs = parse_bin_specs("all; density");
+  EXPECT_EQ(specs.at(1).descriptor, "density");
+  EXPECT_EQ(specs.at(1).kind, BinSpec::Kind::Quantiles);
+  EXPECT_EQ(specs.at(1).count, 4);
 }
 
 TEST(Bins, AreHalfOpenAndTheLastIsClosed) {

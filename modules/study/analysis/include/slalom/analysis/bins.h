@@ -27,8 +27,9 @@ struct BinSpec {
 };
 
 /// Reads "all", "density:0,0.1,0.2,0.4" (edges, increasing), "density:10" (10 bins of equal width),
-/// "density:q4" (4 bins with about equal numbers of scenarios) or "density:@by_density" (an index
-/// of the scenario list). Throws Error (Usage); `where` is the option or key, for its message.
+/// "density:q4" (4 bins with about equal numbers of scenarios; "density" alone as well) or
+/// "density:@by_density" (an index of the scenario list). Throws Error (Usage); `where` is the
+/// option or key, for its message.
 BinSpec parse_bin_spec(const std::string& text, const std::string& where = "rows");
 
 /// Reads several specifications, separated by ';'.
