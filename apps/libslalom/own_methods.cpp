@@ -9,6 +9,7 @@
 #include <slalom/methods/c_types.h>
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -44,16 +45,36 @@ class OwnMethod : public Method {
 
   Command step(const Observation& observation) override {
     observation_ = to_c(observation, ranges_);
-    const auto tracks = uses_tracks_ ? to_c(tracks_of(observation)) : std::vector<slalom_track>();
+    const auto tracks = tracks_for(observation);
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     command_ = {kNone, kNone, 0};
     check(own_.step(method_, &observation_, tracks.data(), tracks.size(), &command_));
     return {command_.v, command_.w, command_.vy};
   }
 
+  bool adapts() const override { return own_.adapt != nullptr; }
+  std::map<std::string, std::string> adapt(const Observation& observation) override {
+    observation_ = to_c(observation, ranges_);
+    const auto tracks = tracks_for(observation);
+    check(own_.adapt(method_, &observation_, tracks.data(), tracks.size()));
+    try {
+      return nlohmann::json::parse(take_reply());
+    } catch (const nlohmann::json::exception& error) {
+      throw MethodError(std::string("adapt() gave no object of texts (") + error.what() + ")");
+    }
+  }
+  void set_parameter(const std::string& name, const std::string& value) override {
+    if (own_.set_parameter == nullptr) return Method::set_parameter(name, value);
+    check(own_.set_parameter(method_, name.c_str(), value.c_str()));
+  }
+
   void finish(const std::string& outcome) override { check(own_.finish(method_, outcome.c_str())); }
 
  private:
+  std::vector<slalom_track> tracks_for(const Observation& observation) const {
+    return uses_tracks_ ? to_c(tracks_of(observation)) : std::vector<slalom_track>();
+  }
+
   static void check(int failed) {
     if (failed != 0) throw MethodError(take_reply());
   }
@@ -67,26 +88,32 @@ class OwnMethod : public Method {
   std::vector<float> ranges_;
 };
 
-/// `filters` are the names of the filters that are around it.
+/// `around` are the names of the methods that are around it: filters, and such as set parameters.
 MethodFactory read_method(const nlohmann::json& methods, const nlohmann::json& given,
-                          const slalom_own_methods* own, std::vector<std::string> filters = {}) {
+                          const slalom_own_methods* own, std::vector<std::string> around = {}) {
   const std::string name = given.at("name");
-  const std::string where = "method '" + name + "'";
+  const std::string where = "method '" + name + "'", section = "method." + name;
+  const auto named = [&](const std::string& key, const std::string& other) {
+    around.push_back(name);
+    for (const nlohmann::json& one : methods)
+      if (one.at("name") == other && !contains(around, other))
+        return read_method(methods, one, own, around);
+    throw usage_error(where, key + " '" + other + "' is not another method", "one of methods");
+  };
+  const auto within = [&](MethodFactory made, const std::string& inner) {
+    return inner.empty() ? made : adaptive_method(std::move(made), named("inner", inner), where);
+  };
   if (given.contains("type")) {
     const bool complete = own != nullptr && own->create != nullptr && own->reset != nullptr &&
                           own->step != nullptr && own->finish != nullptr && own->destroy != nullptr;
     if (!complete) throw usage_error(where, "has a type", "all functions of slalom_own_methods");
-    return own_method(*own, given.at("type"), name, nlohmann::json::object());
+    return within(own_method(*own, given.at("type"), name, nlohmann::json::object()),
+                  given.value("inner", ""));
   }
-  const std::string section = "method." + name;
-  const IniFile ini = to_ini({{section, given.at("keys")}});
-  if (!ini.get(section, "filter")) return all_adapters().read(ini, name).make;
-  filters.push_back(name);
-  const std::string base = ini.get(section, "base").value_or("");
-  for (const nlohmann::json& other : methods)
-    if (other.at("name") == base && !contains(filters, base))
-      return read_barrier_filter(ini, section, read_method(methods, other, own, filters));
-  throw usage_error(where, "the base '" + base + "' is not another method", "one of methods");
+  IniFile ini = to_ini({{section, given.at("keys")}});
+  if (ini.get(section, "filter"))
+    return read_barrier_filter(ini, section, named("base", ini.get(section, "base").value_or("")));
+  return all_adapters().read(ini, name).make;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ std::vector<Point> GlobalPlanner::plan(const Costmap& map, const Point& start, c
 }
 
 GlobalCostmap::GlobalCostmap(double half_size, double resolution, const Inflation& inflation)
-    : resolution_(resolution), costs_(half_size, resolution, inflation) {}
+    : half_size_(half_size), resolution_(resolution), costs_(half_size, resolution, inflation) {}
 
 /// Cells of the map that are larger than those of the costmap become several points.
 void GlobalCostmap::set_known(const KnownMap& map) {
@@ -34,7 +34,17 @@ void GlobalCostmap::set_known(const KnownMap& map) {
   const double height = static_cast<double>(map.size_y) * map.resolution;
   center_ = {map.origin.x + 0.5 * width, map.origin.y + 0.5 * height};
   constexpr double kBorder = 0.5;  // m, around the map
-  costs_ = Costmap(0.5 * std::max(width, height) + kBorder, resolution_, costs_.inflation());
+  half_size_ = 0.5 * std::max(width, height) + kBorder;
+  costs_ = Costmap(half_size_, resolution_, costs_.inflation());
+}
+
+void GlobalCostmap::take_over(GlobalCostmap& before) {
+  known_ = before.known_;
+  center_ = before.center_;
+  points_ = std::move(before.points_);
+  known_points_ = before.known_points_;
+  half_size_ = before.half_size_;
+  costs_ = Costmap(half_size_, resolution_, costs_.inflation());
 }
 
 void GlobalCostmap::build(const Point& robot, const std::vector<Point>& sensed) {

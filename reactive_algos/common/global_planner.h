@@ -31,11 +31,12 @@ class GlobalCostmap {
   GlobalCostmap(double half_size, double resolution, const Inflation& inflation);
 
   void set_known(const KnownMap& map);
+  void take_over(GlobalCostmap& before);
   void build(const Point& robot, const std::vector<Point>& sensed);
   const Costmap& costs() const { return costs_; }
 
  private:
-  double resolution_;
+  double half_size_, resolution_;
   Costmap costs_;
   bool known_ = false;
   Point center_;               ///< of the known map

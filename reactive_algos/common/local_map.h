@@ -6,6 +6,7 @@
 #include "common/plugin.h"
 #include "common/rolling_memory.h"
 
+#include <utility>
 #include <vector>
 
 namespace reactive {
@@ -34,6 +35,7 @@ class LocalMap {
   LocalMap(const MapOptions& options, const Robot& robot);
 
   void clear() { memory_.clear(); }
+  void take_over(LocalMap& before) { memory_ = std::move(before.memory_); }
   void update(const Observation& observation);
   const ClearanceMap& clearance() const { return clearance_; }
   const std::vector<Point>& points() const { return memory_.points(); }  ///< odometry frame

@@ -49,6 +49,7 @@ class RotateInPlace {
   explicit RotateInPlace(double begin, double end = 0.4) : begin_(begin), end_(end) {}
 
   void reset() { side_ = 0; }
+  void take_over(const RotateInPlace& before) { side_ = before.side_; }
   bool update(double bearing);  ///< whether to rotate in place
   /// The same, and not if the footprint would touch an obstacle on its way to the bearing.
   bool update(double bearing, const ClearanceMap& map, const Pose& pose, const Robot& robot,

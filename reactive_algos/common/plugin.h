@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -88,6 +89,13 @@ class Plugin {
     return &api;
   }
 
+  /// The table of slalom_method_get_parameters_api() for a class with `take_over(before)`, which
+  /// goes on with the run of an object that has other parameters.
+  static const slalom_parameters_api* parameters_table() {
+    static const slalom_parameters_api api = {SLALOM_PARAMETERS_ABI_VERSION, set_parameter};
+    return &api;
+  }
+
   /// The table of slalom_method_get_map_api() for a class with `uses_map()` and `set_map(map)`.
   static const slalom_map_api* map_table() {
     static const slalom_map_api api = {SLALOM_MAP_ABI_VERSION, uses_map, set_map};
@@ -108,8 +116,9 @@ class Plugin {
 
   /// A method, and what it does not know: the heading of a goal.
   struct Instance {
-    M method;
+    typename M::Parameters parameters;
     Robot robot;
+    std::unique_ptr<M> method;
     NavigationTask task = {};
     std::optional<double> goal_heading = {};  ///< rad, odometry frame
 
@@ -120,21 +129,22 @@ class Plugin {
         const double error = wrapped(*goal_heading - observation.pose.phi);
         return {0, stopping_angular_velocity(error, robot)};
       }
-      Twist twist = method.step(observation);
+      Twist twist = method->step(observation);
       const double limit = stopping_speed(goal_distance, robot);
       if (goal_heading && twist.v > limit) twist = {limit, twist.w * limit / twist.v};
       return twist;
     }
   };
-  static M& method_of(void* instance) { return static_cast<Instance*>(instance)->method; }
+  static M& method_of(void* instance) { return *static_cast<Instance*>(instance)->method; }
 
   static void* create(const slalom_setting* settings, size_t count, const slalom_robot* robot,
                       char* error, size_t error_size) {
     try {
       typename M::Parameters parameters;
       for (size_t i = 0; i < count; ++i)
-        set_parameter(parameters, settings[i].key, settings[i].value);
-      return new Instance{M(parameters, robot_of(*robot)), robot_of(*robot)};
+        reactive::set_parameter(parameters, settings[i].key, settings[i].value);
+      const Robot converted = robot_of(*robot);
+      return new Instance{parameters, converted, std::make_unique<M>(parameters, converted)};
     } catch (const std::exception& e) {
       std::snprintf(error, error_size, "%s", e.what());
       return nullptr;
@@ -148,7 +158,7 @@ class Plugin {
       auto& instance = *static_cast<Instance*>(method);
       instance.task = converted;
       instance.goal_heading.reset();
-      instance.method.reset(converted);
+      instance.method->reset(converted);
     });
   }
 
@@ -180,8 +190,23 @@ class Plugin {
     return 0;
   }
 
+  /// Maps and what they remember are of the size and resolution with which the run began.
+  static int set_parameter(void* method, const char* key, const char* value) {
+    for (const std::string fixed : {"memory", "width", "resolution", "map"})
+      if (key == fixed) return 1;
+    return guarded([&] {
+      auto& instance = *static_cast<Instance*>(method);
+      typename M::Parameters parameters = instance.parameters;
+      reactive::set_parameter(parameters, key, value);
+      auto next = std::make_unique<M>(parameters, instance.robot);
+      next->take_over(*instance.method);
+      instance.method = std::move(next);
+      instance.parameters = parameters;
+    });
+  }
+
   static int uses_map(const void* method) {
-    return static_cast<const Instance*>(method)->method.uses_map() ? 1 : 0;
+    return static_cast<const Instance*>(method)->method->uses_map() ? 1 : 0;
   }
 
   static int set_map(void* method, const slalom_map* map) {

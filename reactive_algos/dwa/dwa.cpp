@@ -65,6 +65,12 @@ void Dwa::reset(const NavigationTask& task) {
   turn_.reset();
 }
 
+void Dwa::take_over(Dwa& before) {
+  task_ = before.task_;
+  map_.take_over(before.map_);
+  turn_.take_over(before.turn_);
+}
+
 Waypoint Dwa::target(const Observation& observation) {
   const Point goal = to_world(observation.pose, observation.goal);
   if (!parameters_.guidance) return {goal, true, true};

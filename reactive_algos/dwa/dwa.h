@@ -57,6 +57,8 @@ class Dwa {
 
   Dwa(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
+  /// Goes on with the run of an object that has other parameters.
+  void take_over(Dwa& before);
   reactive::Twist step(const reactive::Observation& observation);
 
  private:

@@ -19,3 +19,7 @@ const slalom_space_api* slalom_method_get_space_api(void) {
                                                   {"w_samples", 21, 61, 0, 1},
                                                   {"turn_in_place", 0.5, 3, 0, 0}});
 }
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return reactive::Plugin<dwa::Dwa>::parameters_table();
+}

@@ -55,12 +55,16 @@ DwaLocalPlanner::DwaLocalPlanner(const Parameters& parameters, const Robot& robo
                    parameters.min_vel_trans),
       recovery_(parameters_, robot, scorer_.footprint()) {}
 
-void DwaLocalPlanner::reset(const NavigationTask& task) {
+void DwaLocalPlanner::set_goal_tolerance() {
   const double own = parameters_.xy_goal_tolerance;
-  if (own > task.goal_tolerance)
+  if (own > task_.goal_tolerance)
     throw std::invalid_argument("xy_goal_tolerance exceeds the tolerance of the task");
-  goal_tolerance_ = own > 0 ? own : 0.5 * task.goal_tolerance;
+  goal_tolerance_ = own > 0 ? own : 0.5 * task_.goal_tolerance;
+}
+
+void DwaLocalPlanner::reset(const NavigationTask& task) {
   task_ = task;
+  set_goal_tolerance();
   memory_.clear();
   oscillation_.reset();
   recovery_.reset();
@@ -68,6 +72,19 @@ void DwaLocalPlanner::reset(const NavigationTask& task) {
   since_plan_ = HUGE_VAL;
   waiting_ = {};
   progress_from_ = {HUGE_VAL, HUGE_VAL};
+}
+
+void DwaLocalPlanner::take_over(DwaLocalPlanner& before) {
+  task_ = before.task_;
+  memory_ = std::move(before.memory_);
+  global_map_.take_over(before.global_map_);
+  oscillation_.take_over(before.oscillation_);
+  recovery_.take_over(before.recovery_);
+  path_ = std::move(before.path_);
+  since_plan_ = before.since_plan_;
+  waiting_ = before.waiting_;
+  progress_from_ = before.progress_from_;
+  set_goal_tolerance();
 }
 
 /// Whether there is a path; if there is none, the one before is kept.

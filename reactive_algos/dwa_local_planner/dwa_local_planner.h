@@ -24,6 +24,8 @@ class DwaLocalPlanner {
   DwaLocalPlanner(const Parameters& parameters, const reactive::Robot& robot);
   bool uses_map() const { return parameters_.map == reactive::PathMap::Known; }
   void reset(const reactive::NavigationTask& task);
+  /// Goes on with the run of an object that has other parameters.
+  void take_over(DwaLocalPlanner& before);
   void set_map(const reactive::KnownMap& map) { global_map_.set_known(map); }
   reactive::Twist step(const reactive::Observation& observation);
 
@@ -33,6 +35,7 @@ class DwaLocalPlanner {
     double plan = 0, control = 0, progress = 0;
   };
 
+  void set_goal_tolerance();
   bool plan(const reactive::Pose& pose);
   std::vector<reactive::Point> local_path(const reactive::Pose& pose);
   bool follow_path(const reactive::Observation& observation, reactive::Twist& best);

@@ -15,6 +15,11 @@ class OscillationCritic {
       : reset_dist_(reset_dist), reset_angle_(reset_angle), min_vel_trans_(min_vel_trans) {}
 
   void reset() { forward_ = rotation_ = {}; }
+  void take_over(const OscillationCritic& before) {
+    forward_ = before.forward_;
+    rotation_ = before.rotation_;
+    reversed_at_ = before.reversed_at_;
+  }
   bool allows(const reactive::Twist& twist) const;
   void commanded(const reactive::Twist& twist, const reactive::Pose& pose);
 

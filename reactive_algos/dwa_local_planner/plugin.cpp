@@ -26,3 +26,7 @@ const slalom_space_api* slalom_method_get_space_api(void) {
        {"inflation_radius", 0.3, 1, 0, 0},
        {"cost_scaling_factor", 1, 30, 1, 0}});
 }
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return reactive::Plugin<dwa_local_planner::DwaLocalPlanner>::parameters_table();
+}

@@ -21,6 +21,15 @@ Recovery::Recovery(const Parameters& parameters, const Robot& robot, const Footp
   if (rotates) behaviors_.push_back(Behavior::Rotate);
 }
 
+void Recovery::take_over(const Recovery& before) {
+  if (behaviors_ != before.behaviors_) return;
+  next_ = before.next_;
+  is_active_ = before.is_active_;
+  begin_ = before.begin_;
+  last_ = before.last_;
+  turned_ = before.turned_;
+}
+
 void Recovery::start(const Pose& pose, RollingMemory& memory) {
   if (behaviors_.empty()) return;
   const Behavior behavior = behaviors_[next_];

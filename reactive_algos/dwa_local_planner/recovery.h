@@ -18,6 +18,8 @@ class Recovery {
   Recovery(const Parameters& parameters, const reactive::Robot& robot, const Footprint& footprint);
 
   void reset() { next_ = 0, is_active_ = false; }
+  /// Goes on with its behavior, if the list of behaviors is the same.
+  void take_over(const Recovery& before);
   /// The robot moves again: the first behavior is the next.
   void succeeded() { next_ = 0; }
   /// Begins the next behavior. Nothing happens if there are none.

@@ -94,6 +94,14 @@ void EbandLocalPlanner::reset(const NavigationTask& task) {
   since_plan_ = 0;
 }
 
+void EbandLocalPlanner::take_over(EbandLocalPlanner& before) {
+  task_ = before.task_;
+  map_.take_over(before.map_);
+  global_map_.take_over(before.global_map_);
+  band_.take_over(before.band_);
+  since_plan_ = before.since_plan_;
+}
+
 /// Whether a new path is due, or the band ends before the goal and near the robot.
 bool EbandLocalPlanner::is_plan_due(const Point& position, const Point& goal) {
   since_plan_ += task_.control_period;

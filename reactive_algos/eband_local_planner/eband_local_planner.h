@@ -28,6 +28,8 @@ class EbandLocalPlanner {
 
   EbandLocalPlanner(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
+  /// Goes on with the run of an object that has other parameters.
+  void take_over(EbandLocalPlanner& before);
   bool uses_map() const { return parameters_.map == reactive::PathMap::Known; }
   /// Sets the map of the environment, with map = known. Call before step().
   void set_map(const reactive::KnownMap& map) { global_map_.set_known(map); }

@@ -4,6 +4,7 @@
 #include "common/clearance_map.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 /// Elastic bands: S. Quinlan and O. Khatib, "Elastic Bands: Connecting Path Planning and Control",
@@ -47,6 +48,10 @@ class ElasticBand {
       : parameters_(parameters), map_(map), robot_radius_(robot_radius) {}
 
   void clear() { bubbles_.clear(); }
+  void take_over(ElasticBand& before) {
+    bubbles_ = std::move(before.bubbles_);
+    clearance_ = before.clearance_;
+  }
   /// Replaces the band by one along `path`, which begins at the robot, that keeps a clearance of at
   /// least `clearance`; less only if the robot is closer to an obstacle. Returns false, with an
   /// empty band, if there is an obstacle on the path.

@@ -26,3 +26,7 @@ const slalom_space_api* slalom_method_get_space_api(void) {
        {"footprint_padding", 0, 0.2, 0, 0},
        {"comfort", 0.05, 1, 1, 0}});
 }
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return reactive::Plugin<eband_local_planner::EbandLocalPlanner>::parameters_table();
+}

@@ -18,6 +18,11 @@ class Method {
     last_side_ = 0;
   }
 
+  void take_over(const Method& before) {
+    control_period_ = before.control_period_;
+    last_side_ = before.last_side_;
+  }
+
   reactive::Twist step(const reactive::Observation& observation) {
     const Twist wanted = decide(observation.ranges, observation.goal.x, observation.goal.y,
                                 parameters_, robot_, last_side_);
@@ -67,4 +72,8 @@ const slalom_space_api* slalom_method_get_space_api(void) {
                                                                 {"goal_weight", 0.1, 5, 1, 0},
                                                                 {"turn_gain", 0.5, 6, 1, 0},
                                                                 {"turn_in_place", 0.2, 2, 0, 0}});
+}
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return reactive::Plugin<follow_the_gap::Method>::parameters_table();
 }

@@ -22,6 +22,12 @@ void GoToGoal::reset(const NavigationTask& task) {
   turn_.reset();
 }
 
+void GoToGoal::take_over(GoToGoal& before) {
+  tolerance_ = before.tolerance_;
+  control_period_ = before.control_period_;
+  turn_.take_over(before.turn_);
+}
+
 Twist GoToGoal::step(const Observation& observation) {
   const double bearing = slalom::math::atan2(observation.goal.y, observation.goal.x);
   if (turn_.update(bearing))

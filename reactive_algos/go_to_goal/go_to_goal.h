@@ -20,6 +20,8 @@ class GoToGoal {
 
   GoToGoal(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
+  /// Goes on with the run of an object that has other parameters.
+  void take_over(GoToGoal& before);
   reactive::Twist step(const reactive::Observation& observation);
 
  private:

@@ -76,6 +76,16 @@ void Mppi::reset(const NavigationTask& task) {
   plan_.assign(static_cast<std::size_t>(parameters_.steps), {0, 0});
 }
 
+void Mppi::take_over(Mppi& before) {
+  task_ = before.task_;
+  map_.take_over(before.map_);
+  turn_.take_over(before.turn_);
+  local_planner_ = local_planner_of(parameters_, robot_, task_.control_period);
+  noise_ = std::move(before.noise_);
+  plan_ = std::move(before.plan_);
+  plan_.resize(static_cast<std::size_t>(parameters_.steps));
+}
+
 CostRule Mppi::cost_rule(const Observation& observation, double top_speed) const {
   CostRule rule;
   rule.period = task_.control_period;

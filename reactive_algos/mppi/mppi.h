@@ -40,6 +40,8 @@ class Mppi {
 
   Mppi(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
+  /// Goes on with the run of an object that has other parameters.
+  void take_over(Mppi& before);
   reactive::Twist step(const reactive::Observation& observation);
 
  private:

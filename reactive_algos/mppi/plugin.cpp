@@ -21,3 +21,7 @@ const slalom_space_api* slalom_method_get_space_api(void) {
                                                     {"obstacle_weight", 0.3, 8, 1, 0},
                                                     {"goal_weight", 1, 16, 1, 0}});
 }
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return reactive::Plugin<mppi::Mppi>::parameters_table();
+}

@@ -23,3 +23,7 @@ const slalom_space_api* slalom_method_get_space_api(void) {
        {"margin", 0, 0.15, 0, 0},
        {"comfort", 0.1, 1, 1, 0}});
 }
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return reactive::Plugin<regulated_pure_pursuit::RegulatedPurePursuit>::parameters_table();
+}

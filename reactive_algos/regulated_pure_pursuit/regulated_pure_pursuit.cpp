@@ -119,6 +119,12 @@ void RegulatedPurePursuit::reset(const NavigationTask& task) {
   turn_.reset();
 }
 
+void RegulatedPurePursuit::take_over(RegulatedPurePursuit& before) {
+  task_ = before.task_;
+  map_.take_over(before.map_);
+  turn_.take_over(before.turn_);
+}
+
 /// The path to `goal` in the frame of the pose, without its start; the goal if no path is known.
 std::vector<Point> RegulatedPurePursuit::path(const Pose& pose, const Point& goal) {
   const ClearanceMap& map = map_.clearance();

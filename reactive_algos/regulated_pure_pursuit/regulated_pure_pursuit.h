@@ -54,6 +54,8 @@ class RegulatedPurePursuit {
 
   RegulatedPurePursuit(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
+  /// Goes on with the run of an object that has other parameters.
+  void take_over(RegulatedPurePursuit& before);
   reactive::Twist step(const reactive::Observation& observation);
 
  private:

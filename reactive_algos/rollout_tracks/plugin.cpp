@@ -18,3 +18,7 @@ const slalom_goal_heading_api* slalom_method_get_goal_heading_api(void) {
 const slalom_space_api* slalom_method_get_space_api(void) {
   return Method::space_table(trajectory_rollout::tuning_ranges());
 }
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return Method::parameters_table();
+}

@@ -13,3 +13,7 @@ const slalom_space_api* slalom_method_get_space_api(void) {
   return reactive::Plugin<trajectory_rollout::TrajectoryRollout>::space_table(
       trajectory_rollout::tuning_ranges());
 }
+
+const slalom_parameters_api* slalom_method_get_parameters_api(void) {
+  return reactive::Plugin<trajectory_rollout::TrajectoryRollout>::parameters_table();
+}

@@ -174,6 +174,12 @@ void TrajectoryRollout::reset(const NavigationTask& task) {
   turn_.reset();
 }
 
+void TrajectoryRollout::take_over(TrajectoryRollout& before) {
+  task_ = before.task_;
+  map_.take_over(before.map_);
+  turn_.take_over(before.turn_);
+}
+
 double TrajectoryRollout::cost(const Rollout& rollout, const Twist& desired,
                                const Waypoint& target) {
   const double gap = rollout.clearance - robot_.radius;

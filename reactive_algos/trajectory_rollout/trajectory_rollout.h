@@ -62,6 +62,8 @@ class TrajectoryRollout {
 
   TrajectoryRollout(const Parameters& parameters, const reactive::Robot& robot);
   void reset(const reactive::NavigationTask& task);
+  /// Goes on with the run of an object that has other parameters.
+  void take_over(TrajectoryRollout& before);
   /// The movers of the next step.
   void set_tracks(std::vector<reactive::Track> tracks) { tracks_ = std::move(tracks); }
   reactive::Twist step(const reactive::Observation& observation);

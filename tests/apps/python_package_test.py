@@ -238,6 +238,39 @@ class Package(unittest.TestCase):
         with self.assertRaisesRegex(slalom.Error, "gain"):
             slalom.evaluate({"a": slalom.barrier_filter("b", gain=-1), "b": Direct}, small(1))
 
+    def test_a_class_sets_parameters_of_another_method(self):
+        class Speeds:
+            def adapt(self, o):
+                return {"speed": 0.25 if o.time < 1 else 0.5}
+
+        class Kept(Direct):
+            def __init__(self, robot, options):
+                self.robot, self.options = robot, options
+
+            def step(self, o):
+                self.speed = self.options.speed
+                return super().step(o)
+
+        methods = {"kept": (Kept, {"speed": 0.4}), "outer": (Speeds, {"inner": "kept"})}
+        results = slalom.evaluate(methods, small(1), repetitions=2, trajectories=True, **QUICK)
+        for run in results.runs():
+            commands = [sample.command_v for sample in run.samples]
+            if run["method"] == "kept":
+                self.assertEqual(set(commands[:-1]), {0.4})
+            else:
+                self.assertEqual([commands[0], commands[9], commands[12]], [0.25, 0.25, 0.5])
+        gap = slalom.plugin("libslalom_follow_the_gap.so")
+        errors = [
+            ({"a": (Speeds, {"inner": "a"})}, "inner 'a' is not another method"),
+            ({"a": (Direct, {"inner": "b"}), "b": gap}, r"Direct has no adapt\(\); expected a class with adapt"),
+        ]
+        for methods, error in errors:
+            with self.assertRaisesRegex(slalom.Error, error):
+                slalom.evaluate(methods, small(1))
+        wrong = slalom.evaluate({"a": (Speeds, {"inner": "b"}), "b": gap}, small(1), **QUICK)
+        self.assertEqual(wrong["outcome"][0], "method_error")
+        self.assertIn("unknown parameter of follow_the_gap: 'speed'", wrong["detail"][0])
+
     def test_the_robot_is_set_by_the_keys_of_its_section(self):
         footprint = [(0.3, 0.2), (-0.3, 0.2), (-0.3, -0.2), (0.3, -0.2)]
 

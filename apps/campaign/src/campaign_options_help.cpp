@@ -10,6 +10,7 @@
 #include <slalom/io/result_file.h>
 #include <slalom/library/library_method.h>
 #include <slalom/methods/barrier_filter.h>
+#include <slalom/methods/registry.h>
 #include <slalom/metrics/metric.h>
 #include <slalom/ros_parameters/resolve.h>
 
@@ -60,6 +61,7 @@ void visit_campaign_options(const SectionVisitor& visit) {
   visit_adapter_options([&](const std::function<void(OptionVisitor&)>& visit_options) {
     visit("method.NAME", visit_options);
   });
+  visit_section<MethodOptions>(visit, "method.NAME");
   visit_section<BarrierFilterOptions>(visit, "method.NAME");
   visit_section<RosParameterSource>(visit, "method.NAME");
 }

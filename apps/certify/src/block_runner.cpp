@@ -9,6 +9,7 @@
 #include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/map_formats/map_import.h>
+#include <slalom/methods/registry.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -91,14 +92,10 @@ MethodCampaign read_method_campaign(IniFile ini, const std::string& method) {
   require_method(ini, "--method", method);
   ini.set("campaign", "methods", method);
   CampaignConfig config = read_campaign(ini);
-  // A base of a filter is a section of its own, which the campaign needs.
-  std::vector<std::string> needed = {method};
-  while (const auto base = ini.get("method." + needed.back(), "base")) {
-    if (contains(needed, *base)) break;
-    needed.push_back(*base);
-  }
+  // Bases of filters and inner methods are sections of their own, which the campaign needs.
+  const std::vector<std::string> needed = method_sections(ini, method);
   for (const std::string& section : ini.sections())
-    if (starts_with(section, "method.") && !contains(needed, section.substr(7)))
+    if (starts_with(section, "method.") && !contains(needed, section))
       for (const std::string& key : ini.keys(section)) ini.remove(section, key);
   check_campaign(config);
   Manifest files = hash_method_files(config);

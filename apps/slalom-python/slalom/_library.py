@@ -12,6 +12,8 @@ import weakref
 from ctypes import c_char_p, c_double, c_int, c_size_t, c_uint32, c_uint64, c_void_p
 from typing import Any, Callable, List, Optional, Sequence, Tuple
 
+from . import _classes
+
 try:
     import numpy
 except ImportError:
@@ -187,30 +189,14 @@ def reply(text: str) -> None:
     load().slalom_reply(text.encode(errors="replace").replace(b"\0", b" "))
 
 
-def to_text(value: Any, where: str) -> str:
-    """A value as in an .ini: numbers, truth values, texts, paths, lists of these or of points. Raises Error."""
-    if hasattr(value, "tolist"):
-        value = value.tolist()  # of NumPy
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, (str, os.PathLike)):
-        return os.fspath(value)
-    if isinstance(value, int):
-        return str(value)
-    if hasattr(value, "__float__"):
-        text = repr(float(value) + 0.0)
-        return text[:-2] if text.endswith(".0") else text
-    if not isinstance(value, Sequence):
-        raise Error(f"{where}: {value!r} is not valid; expected a number, a truth value, a text or a list")
-    nested = any(isinstance(part, Sequence) and not isinstance(part, str) for part in value)
-    return ("; " if nested else ", ").join(to_text(part, where) for part in value)
-
-
 def to_section(values: Any, where: str) -> dict:
     """{KEY: TEXT} of a dict. Raises Error."""
     if not isinstance(values, dict):
         raise Error(f"{where}: {values!r} is not a dict; expected {{KEY: VALUE, ...}}")
-    return {str(key): to_text(value, f"{where} {key}") for key, value in values.items()}
+    try:
+        return {str(key): _classes.to_text(value, f"{where} {key}") for key, value in values.items()}
+    except _classes.Invalid as error:
+        raise Error(str(error)) from None
 
 
 def to_settings(sections: dict) -> dict:

@@ -80,7 +80,8 @@ class _Own:
     """An object of a class that is a method."""
 
     def __init__(self, method: Any) -> None:
-        self._reset, self._step = method.reset, method.step
+        self._method = method
+        self._reset, self._step = method.reset, getattr(method, "step", None)
         self.finish = getattr(method, "finish", None)
         self.uses_tracks = bool(getattr(method, "uses_tracks", False))
         self.uses_map = bool(getattr(method, "uses_map", False))
@@ -103,12 +104,11 @@ class _Own:
             )
         self._reset(given)
 
-    def step(self, observation: int, tracks: int, count: int, command: int) -> None:
+    def _seen(self, observation: int, tracks: int, count: int) -> types.SimpleNamespace:
         if self._numbers is None:  # all is at the same place until the next reset
             given = _Observation.from_address(observation)
             self._numbers = _view(observation, "d", (9,))
             self._ranges = _array(_view(given.ranges, "f", (given.rays,)))
-            self._command = _view(command, "d", (3,), writable=True)
         time, x, y, phi, v, vy, w, goal_x, goal_y = self._numbers.tolist()
         seen = types.SimpleNamespace(
             time=time, x=x, y=y, phi=phi, v=v, vy=vy, w=w, goal_x=goal_x, goal_y=goal_y, ranges=self._ranges
@@ -118,7 +118,18 @@ class _Own:
                 types.SimpleNamespace(id=track.id, **{name: getattr(track, name) for name in _Track._numbers})
                 for track in (_Track * count).from_address(tracks)
             ] if count else []
-        output = self._step(seen)
+        return seen
+
+    def adapt(self, observation: int, tracks: int, count: int) -> Dict[str, str]:
+        return _classes.parameters(self._method.adapt(self._seen(observation, tracks, count)))
+
+    def set_parameter(self, name: str, value: str) -> None:
+        _classes.set_parameter(self._method, name, value)
+
+    def step(self, observation: int, tracks: int, count: int, command: int) -> None:
+        if self._numbers is None:
+            self._command = _view(command, "d", (3,), writable=True)
+        output = self._step(self._seen(observation, tracks, count))
         try:
             if isinstance(output, (str, bytes)):
                 raise TypeError
@@ -185,6 +196,22 @@ def _step(number: int, observation: int, tracks: int, count: int, command: int) 
         return _failed(error)
 
 
+def _adapt(number: int, observation: int, tracks: int, count: int) -> int:
+    try:
+        reply(json.dumps(_objects[number].adapt(observation, tracks, count)))
+        return 0
+    except BaseException as error:
+        return _failed(error)
+
+
+def _set_parameter(number: int, name: bytes, value: bytes) -> int:
+    try:
+        _objects[number].set_parameter(name.decode(), value.decode())
+        return 0
+    except BaseException as error:
+        return _failed(error)
+
+
 def _finish(number: int, outcome: bytes) -> int:
     try:
         finish = _objects[number].finish
@@ -206,12 +233,19 @@ class _Functions(ctypes.Structure):
         ("step", ctypes.PYFUNCTYPE(c_int, c_uint64, c_void_p, c_void_p, c_size_t, c_void_p)),
         ("finish", ctypes.PYFUNCTYPE(c_int, c_uint64, c_char_p)),
         ("destroy", ctypes.PYFUNCTYPE(None, c_uint64)),
+        ("adapt", ctypes.PYFUNCTYPE(c_int, c_uint64, c_void_p, c_void_p, c_size_t)),
+        ("set_parameter", ctypes.PYFUNCTYPE(c_int, c_uint64, c_char_p, c_char_p)),
     ]
 
 
 #: slalom_own_methods.
 FUNCTIONS = _Functions(
-    *(kind(function) for (_, kind), function in zip(_Functions._fields_, (_create, _reset, _step, _finish, _destroy)))
+    *(
+        kind(function)
+        for (_, kind), function in zip(
+            _Functions._fields_, (_create, _reset, _step, _finish, _destroy, _adapt, _set_parameter)
+        )
+    )
 )
 
 
@@ -219,16 +253,18 @@ def _message(what: str, expected: str) -> str:
     return what + (f"; expected {expected}" if expected else "")
 
 
-def _own(kind: Any, values: Mapping[str, Any], where: str) -> int:
-    """The number of a class, or of a function of an observation, whose options are valid."""
+def _own(name: str, kind: Any, values: Mapping[str, Any], where: str) -> Dict[str, Any]:
+    """A class, or a function of an observation, whose options are valid, with a number."""
+    inner = {key: value for key, value in values.items() if key == "inner"}
+    values = {key: value for key, value in values.items() if key != "inner"}
     if callable(kind) and not isinstance(kind, type) and not hasattr(kind, "step"):
         function = kind
         kind = type(getattr(function, "__name__", "function"), (), {"step": lambda self, o: function(o)})
-    complete = _classes.complete(kind, where)
+    complete = _classes.complete(kind, where, bool(inner))
     _classes.make_options(complete, values, lambda key: f"{where} {key}")
     number = next(_numbers)
-    _classes_given[number] = complete, dict(values), where
-    return number
+    _classes_given[number] = complete, values, where
+    return {"name": name, "type": number, **inner}
 
 
 def _described(name: str, method: Any) -> Dict[str, Any]:
@@ -241,8 +277,8 @@ def _described(name: str, method: Any) -> Dict[str, Any]:
     if isinstance(method, dict):
         return {"name": name, "keys": to_section(method, where)}
     if isinstance(method, tuple) and len(method) == 2 and isinstance(method[1], dict):
-        return {"name": name, "type": _own(*method, where)}
-    return {"name": name, "type": _own(method, {}, where)}
+        return _own(name, *method, where)
+    return _own(name, method, {}, where)
 
 
 @contextlib.contextmanager
@@ -256,7 +292,7 @@ def described(methods: Mapping[str, Any]) -> Iterator[List[Dict[str, Any]]]:
             made.append(_described(str(name), method))
         yield made
     except _classes.Invalid as error:
-        raise Error(f"{error.args[0]}: {_message(*error.args[1:])}") from None
+        raise Error(str(error)) from None
     finally:
         for one in made:
             _classes_given.pop(one.get("type", 0), None)

@@ -16,6 +16,7 @@ constexpr char kTracksSymbol[] = "slalom_method_get_tracks_api";
 constexpr char kMapSymbol[] = "slalom_method_get_map_api";
 constexpr char kGoalHeadingSymbol[] = "slalom_method_get_goal_heading_api";
 constexpr char kSpaceSymbol[] = "slalom_method_get_space_api";
+constexpr char kParametersSymbol[] = "slalom_method_get_parameters_api";
 
 /// The functions that a library exports; null for those that it does not.
 struct LibraryApi {
@@ -24,7 +25,18 @@ struct LibraryApi {
   const slalom_map_api* map;
   const slalom_goal_heading_api* goal_heading;
   const slalom_space_api* space;
+  const slalom_parameters_api* parameters;
 };
+
+/// Calls `refuse(what, expected)` for a parameter that the method does not declare.
+template <typename Refuse>
+void require_declared(const slalom_method_api& api, const std::string& key, Refuse refuse) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < api.parameter_count; ++i) known.emplace_back(api.parameters[i].key);
+  if (contains(known, key)) return;
+  refuse("unknown parameter of " + std::string(api.name),
+         expected_name(key, known, known.empty() ? "no keys except adapter and plugin" : ""));
+}
 
 /// A method called through the C function table; keeps the library loaded.
 class LibraryMethod : public Method {
@@ -36,6 +48,7 @@ class LibraryMethod : public Method {
         map_api_(api.map),
         goal_heading_api_(api.goal_heading),
         space_api_(api.space),
+        parameters_api_(api.parameters),
         method_(method) {}
   ~LibraryMethod() override { api_.destroy(method_); }
   LibraryMethod(const LibraryMethod&) = delete;
@@ -77,6 +90,16 @@ class LibraryMethod : public Method {
     return {command.v, command.w, command.vy};
   }
 
+  void set_parameter(const std::string& name, const std::string& value) override {
+    if (parameters_api_ == nullptr) return Method::set_parameter(name, value);
+    require_declared(api_, name, [&](const std::string& what, const std::string& expected) {
+      throw MethodError(what + ": '" + name + "'; expected " + expected);
+    });
+    if (parameters_api_->set_parameter(method_, name.c_str(), value.c_str()) != 0)
+      throw MethodError(std::string(api_.name) + " does not take " + name + " = " + value +
+                        " during a run");
+  }
+
  private:
   double default_of(const std::string& key) const {
     for (std::size_t i = 0; i < api_.parameter_count; ++i) {
@@ -101,6 +124,7 @@ class LibraryMethod : public Method {
   const slalom_map_api* map_api_;
   const slalom_goal_heading_api* goal_heading_api_;
   const slalom_space_api* space_api_;
+  const slalom_parameters_api* parameters_api_;
   void* method_;
   std::vector<float> ranges_;
 };
@@ -120,8 +144,9 @@ class LibraryLoader {
     if (!library)
       throw usage_error(where_plugin_, path_ + " cannot be loaded (" + error + ")",
                         "a shared library");
-    const LibraryApi api = {&find_api(*library), find_tracks_api(*library), find_map_api(*library),
-                            find_goal_heading_api(*library), find_space_api(*library)};
+    const LibraryApi api = {&find_api(*library),      find_tracks_api(*library),
+                            find_map_api(*library),   find_goal_heading_api(*library),
+                            find_space_api(*library), find_parameters_api(*library)};
     void* method = create(*api.method, robot, sensor);
     return std::make_unique<LibraryMethod>(std::move(library), api, method);
   }
@@ -180,6 +205,12 @@ class LibraryLoader {
                                            });
   }
 
+  const slalom_parameters_api* find_parameters_api(const SharedLibrary& library) const {
+    return find_optional<slalom_parameters_api>(
+        library, kParametersSymbol, SLALOM_PARAMETERS_ABI_VERSION, "set_parameter",
+        [](const slalom_parameters_api& api) { return api.set_parameter != nullptr; });
+  }
+
   template <typename Api, typename IsComplete>
   const Api* find_optional(const SharedLibrary& library, const char* symbol, unsigned version,
                            const std::string& entries, IsComplete is_complete) const {
@@ -194,13 +225,11 @@ class LibraryLoader {
 
   /// Throws for a parameter that the method does not declare.
   void check_parameters(const slalom_method_api& api) const {
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < api.parameter_count; ++i) known.emplace_back(api.parameters[i].key);
-    for (const auto& [key, value] : options_.parameters)
-      if (!contains(known, key))
-        throw usage_error(
-            where_(key), "unknown parameter of " + std::string(api.name),
-            expected_name(key, known, known.empty() ? "no keys except adapter and plugin" : ""));
+    for (const auto& parameter : options_.parameters)
+      require_declared(api, parameter.first,
+                       [&](const std::string& what, const std::string& expected) {
+                         throw usage_error(where_(parameter.first), what, expected);
+                       });
   }
 
   void* create(const slalom_method_api& api, const RobotModel& robot_model,

@@ -149,6 +149,22 @@ class HolonomicMethod : public Method {
             {"stop_margin", defaults.stop_margin, 0, 0.2, false, false}};
   }
 
+  /// Options of the adapter that each step reads.
+  void set_parameter(const std::string& name, const std::string& value) override {
+    static const std::vector<std::string> known = {"margin", "turn_gain", "turn_in_place",
+                                                   "stop_margin"};
+    if (!contains(known, name))
+      throw MethodError("'" + name + "' cannot be set during a run; expected " +
+                        expected_name(name, known));
+    try {
+      for_each_option(options_, [&](const Option& option) {
+        if (option.key == name) option.set(value, name);
+      });
+    } catch (const Error& error) {
+      throw MethodError(error.what());
+    }
+  }
+
   Command step(const Observation& observation) override {
     if (const auto turn = turn_at_goal(task_, observation, robot_)) return *turn;
     const auto points = obstacle_points(*observation.scan);

@@ -14,6 +14,10 @@ import types
 class Invalid(Exception):
     """(where, what, expected)"""
 
+    def __str__(self):
+        where, what, expected = self.args
+        return f"{where}: {what}" + (f"; expected {expected}" if expected else "")
+
 
 def nearest(name, known, otherwise=""):
     """The expected names, for messages about an unknown one."""
@@ -45,14 +49,15 @@ def find_class(module, name, where):
     return getattr(module, name)
 
 
-def complete(method, where):
+def complete(method, where, adapts=False):
     """The class with what it leaves out: a constructor, which sets the attributes `robot` and `options`, and
     reset(), which calls the constructor again, so that no run depends on another."""
-    expected = "a class with step(observation)"
+    needed = "adapt" if adapts else "step"
+    expected = f"a class with {needed}(observation)"
     if not isinstance(method, type):
         raise Invalid(where, f"{method!r} is not a class", expected)
-    if not callable(getattr(method, "step", None)):
-        raise Invalid(where, f"{method.__name__} has no step()", expected)
+    if not callable(getattr(method, needed, None)):
+        raise Invalid(where, f"{method.__name__} has no {needed}()", expected)
     is_constructed = method.__init__ is not object.__init__
     is_reset = callable(getattr(method, "reset", None))
     if is_constructed and is_reset:
@@ -63,7 +68,7 @@ def complete(method, where):
             if is_constructed:
                 super().__init__(robot, copy.copy(options))
             else:
-                self.robot, self.options = robot, options
+                self.robot, self.options = robot, copy.copy(options)
             self._made_of = robot, options
 
     def reset(self, task):
@@ -110,6 +115,49 @@ def _converted(default, value, where):
             except (KeyError, ValueError):
                 raise Invalid(where, f"'{value}' is not valid", expected) from None
     return value
+
+
+def set_parameter(method, name, value):
+    """Sets an option of an object during a run: by its own set_parameter(), else where each step finds it."""
+    declared = getattr(type(method), "options", {})
+    if name not in declared:
+        raise ValueError(f"'{name}' is not an option; expected {nearest(name, declared, '' if declared else 'no options')}")
+    try:
+        converted = _converted(declared[name][0], value, name)
+    except Invalid as error:
+        raise ValueError(str(error)) from None
+    if hasattr(method, "set_parameter"):
+        method.set_parameter(name, converted)
+    elif isinstance(getattr(method, "options", None), types.SimpleNamespace):
+        setattr(method.options, name, converted)
+    else:
+        raise TypeError(f"'{name}' cannot be set during a run: {type(method).__name__} has no set_parameter(name, value)")
+
+
+def parameters(given):
+    """What adapt() has returned, as texts."""
+    if not isinstance(given, dict):
+        raise TypeError(f"adapt() returned {given!r}; expected a dict of parameters and their values")
+    return {str(name): to_text(value, name) for name, value in given.items()}
+
+
+def to_text(value, where):
+    """A value as in an .ini: numbers, truth values, texts, paths, lists of these or of points."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()  # of NumPy
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (str, os.PathLike)):
+        return os.fspath(value)
+    if isinstance(value, int):
+        return str(value)
+    if hasattr(value, "__float__"):
+        text = repr(float(value) + 0.0)
+        return text[:-2] if text.endswith(".0") else text
+    if not isinstance(value, (list, tuple)):
+        raise Invalid(where, f"{value!r} is not valid", "a number, a truth value, a text or a list")
+    nested = any(isinstance(part, (list, tuple)) for part in value)
+    return ("; " if nested else ", ").join(to_text(part, where) for part in value)
 
 
 def option_ranges(method, options, where):

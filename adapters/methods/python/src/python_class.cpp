@@ -42,8 +42,17 @@ py::object find_class(const py::object& module, const std::string& name, const s
   return call("find_class", module, name, where);
 }
 
-py::object complete_class(const py::object& type, const std::string& where) {
-  return call("complete", type, where);
+py::object complete_class(const py::object& type, const std::string& where, bool adapts) {
+  return call("complete", type, where, adapts);
+}
+
+std::map<std::string, std::string> parameters_of(const py::object& returned) {
+  return call("parameters", returned).cast<std::map<std::string, std::string>>();
+}
+
+void set_class_parameter(const py::object& object, const std::string& name,
+                         const std::string& value) {
+  call("set_parameter", object, name, value);
 }
 
 py::object make_class_options(const py::object& type, const py::dict& values,

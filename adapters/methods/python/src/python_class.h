@@ -4,6 +4,7 @@
 #include <slalom/core/options.h>
 #include <slalom/methods/method.h>
 
+#include <map>
 #include <pybind11/pybind11.h>
 #include <string>
 #include <utility>
@@ -21,8 +22,9 @@ pybind11::object find_class(const pybind11::object& module, const std::string& n
 
 /// The class with what it leaves out: a constructor, which sets the attributes `robot` and
 /// `options`, and reset(), which calls the constructor again, so that no run depends on another.
-/// Throws Error (Usage) at `where` for a class without step().
-pybind11::object complete_class(const pybind11::object& type, const std::string& where);
+/// Throws Error (Usage) at `where` for a class without step(), or adapt() if it `adapts`.
+pybind11::object complete_class(const pybind11::object& type, const std::string& where,
+                                bool adapts);
 
 /// An object with the options that the class declares as attributes: the given values, else the
 /// defaults. Texts are converted to the type of the default. Throws Error (Usage) for an option
@@ -38,6 +40,13 @@ pybind11::object make_class_options(const pybind11::object& type, const pybind11
 std::vector<TunableParameter> class_option_ranges(const pybind11::object& type,
                                                   const pybind11::object& options,
                                                   const std::string& where);
+
+/// What adapt() of an object returned, as texts.
+std::map<std::string, std::string> parameters_of(const pybind11::object& returned);
+
+/// Sets an option of an object during a run.
+void set_class_parameter(const pybind11::object& object, const std::string& name,
+                         const std::string& value);
 
 /// The exception on one line: "ValueError: negative gain (my_method.py:31 in step)", functions from
 /// the outermost to the one that raised it. Prints the traceback to standard error, and where a

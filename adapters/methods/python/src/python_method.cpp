@@ -58,8 +58,10 @@ struct Names {
 class PythonObject {
  public:
   explicit PythonObject(const py::object& object)
-      : reset_(object.attr("reset")),
-        step_(object.attr("step")),
+      : object_(object),
+        reset_(object.attr("reset")),
+        step_(py::getattr(object, "step", py::none())),
+        adapt_(py::getattr(object, "adapt", py::none())),
         finish_(py::getattr(object, "finish", py::none())),
         uses_tracks_(declares(object, "uses_tracks")),
         uses_map_(declares(object, "uses_map")),
@@ -78,7 +80,25 @@ class PythonObject {
     reset_(input);
   }
 
-  Command step(const Observation& observation) {
+  Command step(const Observation& observation) { return to_command(step_(seen(observation))); }
+
+  bool adapts() const { return !adapt_.is_none(); }
+  std::map<std::string, std::string> adapt(const Observation& observation) {
+    return parameters_of(adapt_(seen(observation)));
+  }
+  void set_parameter(const std::string& name, const std::string& value) {
+    set_class_parameter(object_, name, value);
+  }
+
+  bool uses_tracks() const { return uses_tracks_; }
+  bool uses_map() const { return uses_map_; }
+
+  void finish(const std::string& outcome) {
+    if (!finish_.is_none()) finish_(outcome);
+  }
+
+ private:
+  py::object seen(const Observation& observation) {
     const py::object input = make_namespace_();
     const auto set = [&](const py::str& name, double value) {
       py::setattr(input, name, py::float_(value));
@@ -94,17 +114,9 @@ class PythonObject {
     set(names_.goal_y, observation.goal_in_robot.y);
     py::setattr(input, names_.ranges, ranges_.set(*observation.scan));
     if (uses_tracks_) py::setattr(input, names_.tracks, python_tracks(tracks_of(observation)));
-    return to_command(step_(input));
+    return input;
   }
 
-  bool uses_tracks() const { return uses_tracks_; }
-  bool uses_map() const { return uses_map_; }
-
-  void finish(const std::string& outcome) {
-    if (!finish_.is_none()) finish_(outcome);
-  }
-
- private:
   static bool declares(const py::object& object, const char* attribute) {
     return py::bool_(py::getattr(object, attribute, py::bool_(false)));
   }
@@ -142,7 +154,7 @@ class PythonObject {
     return command;
   }
 
-  py::object reset_, step_, finish_;
+  py::object object_, reset_, step_, adapt_, finish_;
   bool uses_tracks_, uses_map_;
   py::object make_namespace_;
   Names names_;
@@ -156,7 +168,8 @@ class PythonMethod : public Method {
       : object_(std::make_unique<PythonObject>(object)),
         tunable_(std::move(tunable)),
         uses_tracks_(object_->uses_tracks()),
-        uses_map_(object_->uses_map()) {}
+        uses_map_(object_->uses_map()),
+        adapts_(object_->adapts()) {}
   // The process ends if there is no memory for the lock.
   // NOLINTNEXTLINE(bugprone-exception-escape)
   ~PythonMethod() override {
@@ -177,6 +190,15 @@ class PythonMethod : public Method {
     call([&] { command = object_->step(observation); });
     return command;
   }
+  bool adapts() const override { return adapts_; }
+  std::map<std::string, std::string> adapt(const Observation& observation) override {
+    std::map<std::string, std::string> parameters;
+    call([&] { parameters = object_->adapt(observation); });
+    return parameters;
+  }
+  void set_parameter(const std::string& name, const std::string& value) override {
+    call([&] { object_->set_parameter(name, value); });
+  }
   void finish(const std::string& outcome) override {
     call([&] { object_->finish(outcome); });
   }
@@ -189,12 +211,14 @@ class PythonMethod : public Method {
       action();
     } catch (const py::error_already_set& error) {
       throw MethodError(describe_error(error));
+    } catch (const Error& error) {
+      throw MethodError(error.what());
     }
   }
 
   std::unique_ptr<PythonObject> object_;
   std::vector<TunableParameter> tunable_;
-  bool uses_tracks_, uses_map_;
+  bool uses_tracks_, uses_map_, adapts_;
 };
 
 /// The caller holds the interpreter's lock.
@@ -225,7 +249,7 @@ std::unique_ptr<Method> load(const PythonOptions& options, const OptionLocation&
   const py::gil_scoped_acquire lock;
   const py::object type = complete_class(
       find_class(import_module(path, where("module")), options.class_name, where("class")),
-      where("class"));
+      where("class"), options.adapts);
   py::dict values;
   for (const auto& [key, text] : options.parameters) values[py::str(key)] = text;
   return create(type, make_class_options(type, values, where), where("class"), robot, sensor);
@@ -249,8 +273,9 @@ MethodFactory python_method(const PythonOptions& options) {
 }
 
 MethodFactory read_python_method(const IniFile& ini, const std::string& section) {
-  return make_factory(read_parameter_options<PythonOptions>(ini, section),
-                      location_in(ini, section));
+  PythonOptions options = read_parameter_options<PythonOptions>(ini, section);
+  options.adapts = ini.get(section, "inner").has_value();
+  return make_factory(options, location_in(ini, section));
 }
 
 }  // namespace slalom

@@ -124,6 +124,13 @@ typedef struct slalom_own_methods {
   /* The run has ended, as "success", "collision", ... */
   int (*finish)(uint64_t method, const char* outcome);
   void (*destroy)(uint64_t method);
+  /* Of a method with an "inner" one, in place of step(): gives parameters of that as {NAME: TEXT}
+   * by slalom_reply(), from this cycle on. May be NULL if there is none. */
+  int (*adapt)(uint64_t method, const slalom_observation* observation, const slalom_track* tracks,
+               size_t track_count);
+  /* Changes a parameter of an inner method from the next step() on; it is not reset again. May be
+   * NULL. */
+  int (*set_parameter)(uint64_t method, const char* name, const char* value);
 } slalom_own_methods;
 
 /* ---- Results ---- */
@@ -131,7 +138,8 @@ typedef struct slalom_own_methods {
 typedef struct slalom_results slalom_results;
 
 /* Runs every method in every scenario. `methods` are a list of {"name", "keys": {KEY: TEXT}}, as in
- * [method.NAME] of an .ini, and of {"name", "type": number} with the functions `own` (else NULL).
+ * [method.NAME] of an .ini, and of {"name", "type": number} with the functions `own` (else NULL),
+ * with "inner", the name of another one, if it sets parameters of that.
  * `options` are {"settings", "metrics": [ids] or null, "descriptors", "seed", "repetitions",
  * "workers", "in_process", "output": a result file to write}, all of them optional. */
 SLALOM_LIBRARY_EXPORT slalom_results* slalom_evaluate(const char* methods,

@@ -26,10 +26,14 @@ std::string out_of_limits(const std::string& name, double value, double low, dou
 
 }  // namespace
 
+void MethodOptions::visit(OptionVisitor& v) {
+  v.option("adapter", adapter, "adapter of this method");
+  v.option("inner", inner, "NAME of the section of a method whose parameters this one sets");
+}
+
 AdapterReader::AdapterReader(const IniFile& ini, const std::string& section)
     : OptionReader(ini, section) {
-  std::string adapter;
-  option("adapter", adapter, "adapter of this method");
+  MethodOptions().visit(*this);
 }
 
 void MethodRegistry::add(const std::string& adapter, MethodReader reader) {
@@ -45,8 +49,12 @@ std::vector<std::string> MethodRegistry::adapters() const {
 NamedMethod MethodRegistry::read(const IniFile& ini, const std::string& name) const {
   std::vector<std::string> sections = method_sections(ini, name);
   MethodFactory make = read_section(ini, sections.back());
-  for (sections.pop_back(); !sections.empty(); sections.pop_back())
-    make = read_barrier_filter(ini, sections.back(), std::move(make));
+  for (sections.pop_back(); !sections.empty(); sections.pop_back()) {
+    const std::string& section = sections.back();
+    make = ini.get(section, "filter") ? read_barrier_filter(ini, section, std::move(make))
+                                      : adaptive_method(read_section(ini, section), std::move(make),
+                                                        ini.where(section, "inner"));
+  }
   return {name, std::move(make), ini.where("method." + name)};
 }
 
@@ -70,16 +78,18 @@ std::vector<std::string> method_sections(const IniFile& ini, const std::string& 
     if (!ini.has_section(section))
       throw usage_error(named_at, "no section for method '" + method + "'", "[" + section + "]");
     if (contains(sections, section))
-      throw usage_error(named_at, "the filter '" + method + "' is around itself",
-                        "a base with an adapter");
+      throw usage_error(named_at, "the method '" + method + "' is around itself",
+                        "another method, with an adapter");
     sections.push_back(section);
-    if (!ini.get(section, "filter")) return sections;
-    const auto base = ini.get(section, "base");
-    if (!base || base->empty())
-      throw usage_error(ini.where(section, "filter"), "missing base",
-                        "base = NAME of another section [method.NAME]");
-    method = *base;
-    named_at = ini.where(section, "base");
+    const bool filters = ini.get(section, "filter").has_value();
+    const std::string key = filters ? "base" : "inner";
+    const auto next = ini.get(section, key);
+    if (!next && !filters) return sections;
+    if (!next || next->empty())
+      throw usage_error(ini.where(section, filters ? "filter" : "inner"), "missing " + key,
+                        key + " = NAME of another section [method.NAME]");
+    method = *next;
+    named_at = ini.where(section, key);
   }
 }
 

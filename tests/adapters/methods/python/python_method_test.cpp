@@ -222,6 +222,67 @@ TEST(PythonMethod, NeedsNoMoreThanStep) {
   }
 }
 
+/// What adapt() of a class gives where the goal is 3 m ahead.
+std::map<std::string, std::string> adapted(const std::string& name, const std::string& keys = "") {
+  const auto method = load(section_for("parameters.py", name, "inner = b\n" + keys));
+  EXPECT_TRUE(method->adapts());
+  method->reset({});
+  mrpt::obs::CObservation2DRangeScan scan;
+  Observation observation;
+  observation.goal_in_robot = {3, 0};
+  observation.scan = &scan;
+  return method->adapt(observation);
+}
+
+TEST(PythonMethod, AdaptsByWhatItReturns) {
+  using Texts = std::map<std::string, std::string>;
+  EXPECT_EQ(adapted("Tuner"),
+            (Texts{{"gain", "0.75"}, {"count", "3"}, {"fast", "true"}, {"mode", "b"}}));
+  EXPECT_EQ(adapted("Tuner", "factor = 2\n").at("gain"), "6");
+  try {
+    adapted("NoParameters");
+    FAIL() << "is taken";
+  } catch (const MethodError& error) {
+    EXPECT_TRUE(mentions(error.what(), {"adapt() returned 0.5", "a dict of parameters"}));
+  }
+  EXPECT_TRUE(refuses(section_for("parameters.py", "Gain", "inner = b\n"), "4: [method.a] class",
+                      {"Gain has no adapt()", "a class with adapt(observation)"}));
+  EXPECT_TRUE(refuses(section_for("parameters.py", "Tuner"), "4: [method.a] class",
+                      {"Tuner has no step()"}));
+}
+
+TEST(PythonMethod, TakesParametersAsOptionsThatEachStepReads) {
+  const auto method = load(section_for("parameters.py", "Gain"));
+  method->reset({});
+  method->set_parameter("gain", "0.25");
+  method->set_parameter("count", "2");
+  method->set_parameter("fast", "true");
+  EXPECT_EQ(step(*method), (Values{0.25, 2, 1}));
+  const auto taking = load(section_for("parameters.py", "Taking"));
+  taking->reset({});
+  taking->set_parameter("gain", "0.25");
+  EXPECT_EQ(step(*taking), (Values{1.25, 0, 0}));
+}
+
+TEST(PythonMethod, RefusesParametersThatItCannotTake) {
+  const auto error_of = [](const std::string& name, const std::string& key,
+                           const std::string& value) {
+    const auto method = load(section_for("parameters.py", name));
+    method->reset({});
+    try {
+      method->set_parameter(key, value);
+      return std::string("is taken");
+    } catch (const MethodError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_TRUE(mentions(error_of("Gain", "gian", "1"), {"'gian' is not an option", "'gain'"}));
+  EXPECT_TRUE(mentions(error_of("Gain", "count", "1.5"), {"count", "'1.5'", "an integer"}));
+  EXPECT_TRUE(
+      mentions(error_of("Copying", "gain", "2"),
+               {"cannot be set during a run", "Copying has no set_parameter(name, value)"}));
+}
+
 TEST(PythonMethod, IsRefusedWithoutAModuleThatCanBeImported) {
   EXPECT_TRUE(refuses("[method.a]\nadapter = python\n", "1: [method.a]", {"missing module"}));
   EXPECT_TRUE(refuses(section_for("none.py", "Echo"), "3: [method.a] module",

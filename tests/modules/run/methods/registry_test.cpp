@@ -83,7 +83,7 @@ TEST(MethodRegistry, ReportsFiltersWithoutABase) {
                       {"no section for method 'b'", "[method.b]"}));
   EXPECT_TRUE(refused("[method.a]\nfilter = cbf\nbase = b\n[method.b]\nfilter = cbf\nbase = a\n",
                       "campaign.ini:6: [method.b] base",
-                      {"'a' is around itself", "a base with an adapter"}));
+                      {"'a' is around itself", "another method, with an adapter"}));
 }
 
 TEST(MethodRegistry, ReportsInvalidKeysOfFilters) {

@@ -17,8 +17,9 @@ struct PythonOptions {
   std::string folder;      ///< that relative paths refer to; in an .ini the folder of the file
   /// Options of the class, by name; in an .ini all other keys of the section.
   std::vector<std::pair<std::string, std::string>> parameters = {};
+  bool adapts = false;  ///< sets parameters of another one, see adaptive_method()
 
-  void visit(OptionVisitor& v);  ///< without folder and parameters
+  void visit(OptionVisitor& v);  ///< without the last three
 };
 
 /// A method that is a class of a Python module. The interpreter starts in the process that calls

@@ -121,6 +121,16 @@ class Method {
   /// Figures of the run that depend on the wall clock, by id ("commands_missing", ...), as of
   /// commands that came too late. Called after the run; timing_info() of results describes them.
   virtual std::map<std::string, double> run_figures() const { return {}; }
+  /// Whether the method sets parameters of another one: see adaptive_method().
+  virtual bool adapts() const { return false; }
+  /// In place of step() of a method that adapts(): parameters of the other one from this cycle on,
+  /// by name, with values as texts of an .ini.
+  virtual std::map<std::string, std::string> adapt(const Observation& /*observation*/) {
+    return {};
+  }
+  /// Changes a parameter from the next step() on. The object then serves no further run. Throws
+  /// MethodError for an unknown parameter, an invalid value, and one that cannot change in a run.
+  virtual void set_parameter(const std::string& name, const std::string& value);
   /// The run has ended with this outcome ("success", "collision", ...). For information only.
   virtual void finish(const std::string& /*outcome*/) {}
 };

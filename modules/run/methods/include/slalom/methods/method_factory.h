@@ -15,6 +15,12 @@ namespace slalom {
 using MethodFactory =
     std::function<std::unique_ptr<Method>(const RobotModel& robot, const SensorModel& sensor)>;
 
+/// The steps of `inner`, whose parameters the method of `outer`, which adapts(), sets before each
+/// of them. Each run begins with those that `inner` was made with. Needs the tracks and the map
+/// that either of them needs. Throws Error (Usage) with the location `where` if `outer` does not
+/// adapt.
+MethodFactory adaptive_method(MethodFactory outer, MethodFactory inner, const std::string& where);
+
 /// A method of a campaign.
 struct NamedMethod {
   std::string name;

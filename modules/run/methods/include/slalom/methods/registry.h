@@ -21,9 +21,10 @@ class MethodRegistry {
   void add(const std::string& adapter, MethodReader reader);
   std::vector<std::string> adapters() const;
 
-  /// Reads section "method.NAME"; with a key `filter` also that of its base. Throws Error (Usage)
-  /// for a missing section, a missing or unknown adapter (naming the known ones), a base that is
-  /// missing or the filter itself, and whatever the adapter's reader throws.
+  /// Reads section "method.NAME"; with a key `filter` also that of its base, with a key `inner`
+  /// that of the method whose parameters it sets. Throws Error (Usage) for a missing section, a
+  /// missing or unknown adapter (naming the known ones), a method around itself, and whatever the
+  /// adapter's reader throws.
   NamedMethod read(const IniFile& ini, const std::string& name) const;
 
  private:
@@ -33,11 +34,17 @@ class MethodRegistry {
 };
 
 /// The sections of a method: its own, then those of the methods it wraps, innermost last. Throws
-/// Error (Usage) for a filter without a base, a missing section and a filter of itself.
+/// Error (Usage) for a filter without a base, a missing section and a method around itself.
 std::vector<std::string> method_sections(const IniFile& ini, const std::string& name);
 /// The sections of several methods, one after another.
 std::vector<std::string> method_sections(const IniFile& ini,
                                          const std::vector<NamedMethod>& methods);
+
+/// The keys of a method's section that are not those of its adapter.
+struct MethodOptions {
+  std::string adapter, inner;
+  void visit(OptionVisitor& v);
+};
 
 /// Reads the options of an adapter from a method's section, whose key `adapter` chose it.
 class AdapterReader : public OptionReader {

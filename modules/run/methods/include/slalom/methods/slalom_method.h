@@ -182,6 +182,19 @@ typedef struct slalom_space_api {
 
 SLALOM_METHOD_EXPORT const slalom_space_api* slalom_method_get_space_api(void);
 
+/* Optional: a method whose parameters another one can set during a run. */
+#define SLALOM_PARAMETERS_ABI_VERSION 1u
+
+typedef struct slalom_parameters_api {
+  uint32_t abi_version; /* SLALOM_PARAMETERS_ABI_VERSION */
+  /* Changes a parameter of slalom_method_api from the next step() on: called between reset() and
+   * destroy(), of a method that is then not reset again. Returns 0, or an error code, as for an
+   * invalid value, that ends the run as method_error. */
+  int (*set_parameter)(void* method, const char* key, const char* value);
+} slalom_parameters_api;
+
+SLALOM_METHOD_EXPORT const slalom_parameters_api* slalom_method_get_parameters_api(void);
+
 #ifdef __cplusplus
 }
 #endif
