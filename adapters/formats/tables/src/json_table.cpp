@@ -158,10 +158,11 @@ bool has_rows(const Json& value) {
   return value.is_array() && !value.empty() && std::all_of(value.begin(), value.end(), is_object);
 }
 
-/// Whether each member of an object is a column.
+/// Whether each member of an object is a column: of lists, as positions, there is none.
 bool has_columns(const Json& object) {
   return !object.empty() && std::all_of(object.begin(), object.end(), [](const Json& value) {
-    return value.is_array() && std::none_of(value.begin(), value.end(), is_object);
+    return value.is_array() && std::none_of(value.begin(), value.end(),
+                                            [](const Json& one) { return one.is_structured(); });
   });
 }
 

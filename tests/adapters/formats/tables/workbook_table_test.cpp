@@ -157,6 +157,14 @@ TEST(JsonTable, OfColumnsIsThatOfTheMethodAndScenarioInItsName) {
                 ->csv,
             "method,scenario,time,why\nteb_burger,indoor,1,\nteb_burger,indoor,2,\n"
             "mpc,,3,goal_reached\n");
+  // Files of arena-evaluation have paths and zones of collisions, too, which are no tables.
+  EXPECT_EQ(table_from_json(R"({"teb--office": {
+              "summary_df": {"time": [1, 2], "success": [true, false]},
+              "paths_travelled": {"0": [[0, 0], [1, 0], [2, 0]], "1": [[0, 0]]},
+              "collision_zones": {"centroids": [[1, 1]], "counts": [7], "collisions": [[1, 1], [1, 2]]}}})",
+                            "t")
+                ->csv,
+            "method,scenario,time,success\nteb,office,1,1\nteb,office,2,0\n");
   EXPECT_TRUE(throws_error(ErrorKind::File, "t: teb", {"'b' has 1 value and 'a' 2", "same length"},
                            [] { table_from_json(R"({"teb": {"a": [1, 2], "b": [1]}})", "t"); }));
 }
