@@ -25,6 +25,30 @@ void RollingMemory::clear_outside(const Point& center, double half_size) {
   }
 }
 
+void RollingMemory::clear_along(const Pose& pose, const std::vector<double>& ranges,
+                                const Robot& robot, double range) {
+  if (range <= 0 || ranges.size() < 2) return;
+  const Transform frame(pose);
+  const double step = robot.aperture / static_cast<double>(ranges.size() - 1);
+  const double last = static_cast<double>(ranges.size() - 1);
+  const auto center = [&](double coordinate) {
+    return (std::floor(coordinate / resolution_) + 0.5) * resolution_;
+  };
+  for (std::size_t i = points_.size(); i-- > 0;) {
+    const Point local = frame.to_robot({center(points_[i].x), center(points_[i].y)});
+    const double distance = slalom::math::hypot(local.x, local.y);
+    if (distance > range) continue;
+    const double at = (slalom::math::atan2(local.y, local.x) + 0.5 * robot.aperture) / step;
+    const double half = slalom::math::asin(std::min(1.0, 0.5 * resolution_ / distance)) / step;
+    const double low = std::max(0.0, std::ceil(at - half)), high = std::min(last, at + half);
+    for (double ray = low; ray <= high; ++ray) {
+      if (ranges[static_cast<std::size_t>(ray)] <= distance) continue;
+      remove(i);
+      break;
+    }
+  }
+}
+
 std::int64_t RollingMemory::cell_of(double coordinate) const {
   const auto cell = static_cast<std::int64_t>(std::floor(coordinate / resolution_)) % cells_;
   return cell < 0 ? cell + cells_ : cell;

@@ -21,6 +21,10 @@ class RollingMemory {
   void clear();
   /// Forgets the points outside a square around `center`.
   void clear_outside(const Point& center, double half_size);
+  /// Forgets the points in the cells that rays lead through, up to `range` m, as ROS's costmap_2d
+  /// clears its cells, so that noise does not add up.
+  void clear_along(const Pose& pose, const std::vector<double>& ranges, const Robot& robot,
+                   double range);
   /// Rays with a negative range say nothing.
   void update(const Pose& pose, const std::vector<double>& ranges, const Robot& robot);
   const std::vector<Point>& points() const { return points_; }  ///< odometry frame

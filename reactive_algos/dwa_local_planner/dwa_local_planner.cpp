@@ -150,6 +150,7 @@ bool DwaLocalPlanner::is_stuck() const {
 
 Twist DwaLocalPlanner::step(const Observation& observation) {
   const Pose& pose = observation.pose;
+  memory_.clear_along(pose, observation.ranges, robot_, parameters_.raytrace_range);
   memory_.update(pose, observation.ranges, robot_);
   local_map_.build({pose.x, pose.y}, memory_.points());
   if (distance({pose.x, pose.y}, task_.goal) <= goal_tolerance_) return {};

@@ -27,6 +27,7 @@ struct Parameters {
   reactive::PathMap map = reactive::PathMap::Sensed;
   double width = 6, resolution = 0.05;
   double obstacle_range = 2.5;
+  double raytrace_range = 0;  ///< 0: obstacles stay until several rays see through them
   double footprint_padding = 0.01, inflation_radius = 0.55, cost_scaling_factor = 10;
   // move_base
   double planner_frequency = 10;  ///< 1/s; 0: only when no trajectory is possible

@@ -59,6 +59,11 @@ void visit_costs(Parameters& p, OptionVisitor& v) {
   v.option("resolution", p.resolution, "m", "cells of the costmaps", Range::between(0.01, 0.5));
   v.option("obstacle_range", p.obstacle_range, "m", "obstacles are marked up to this distance",
            Range::between(0.1, 100));
+  v.option(
+      "raytrace_range", p.raytrace_range, "m",
+      "rays clear the cells that they lead through up to this distance; 0: obstacles stay until "
+      "four rays see through them",
+      Range::between(0, 100));
   v.option("footprint_padding", p.footprint_padding, "m", "added to the footprint",
            Range::between(0, 10));
   v.option("inflation_radius", p.inflation_radius, "m", "farther from obstacles there are no costs",

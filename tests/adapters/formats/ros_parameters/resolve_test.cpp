@@ -101,7 +101,8 @@ TEST_F(RosParameters, DwbBecomesDwaLocalPlanner) {
       {"resolution", "0.04"},
       {"inflation_radius", "0.6"},
       {"cost_scaling_factor", "4"},
-      {"obstacle_range", "3.5"}};
+      {"obstacle_range", "3.5"},
+      {"raytrace_range", "4"}};
   for (const auto& [key, text] : expected) EXPECT_EQ(value(ini, "method.m", key), text) << key;
   EXPECT_EQ(ini.keys("method.m").size(), expected.size());
 }
@@ -228,7 +229,7 @@ TEST_F(RosParameters, ARotationShimIsItsPrimaryController) {
 TEST_F(RosParameters, FilesOfMoveBaseNeedNoSectionsOfNodes) {
   write("common.yaml",
         "footprint: [[0.3, 0.2], [-0.3, 0.2], [-0.3, -0.2], [0.3, -0.2]]\n"
-        "obstacle_layer: {scan: {obstacle_range: 3.5}}\n");
+        "obstacle_layer: {scan: {obstacle_range: 3.5, raytrace_range: 4}}\n");
   write("local.yaml", "local_costmap: {width: 5.0, resolution: 0.1, static_map: false}\n");
   write("planner.yaml",
         "controller_patience: 4\nDWAPlannerROS: {max_vel_trans: 0.5, max_rot_vel: 1, "
@@ -240,6 +241,7 @@ TEST_F(RosParameters, FilesOfMoveBaseNeedNoSectionsOfNodes) {
   EXPECT_EQ(value(ini, "method.m", "plugin"), "libslalom_dwa_local_planner.so");
   EXPECT_EQ(value(ini, "method.m", "width"), "5");
   EXPECT_EQ(value(ini, "method.m", "obstacle_range"), "3.5");
+  EXPECT_EQ(value(ini, "method.m", "raytrace_range"), "4");
   EXPECT_EQ(value(ini, "method.m", "controller_patience"), "4");
   EXPECT_EQ(value(ini, "method.m", "min_vel_theta"), "0.3");
 }
