@@ -189,6 +189,7 @@ def judge(folder, name):
 
 def main():
     folder = folder_argument(__doc__)
+    os.chdir(ROOT)  # files that claims name are relative to it
     known = sorted(path.stem for path in CLAIMS.glob("*.ini"))
     names = sys.argv[2:] or known
     for name in names:

@@ -71,7 +71,10 @@ const slalom_own_methods kOwn = {
       if (method != SaysNothing) *command = {0, 0.5, 0};
       return method == Fails ? 1 : 0;
     },
-    [](std::uint64_t, const char*) { return 0; }, [](std::uint64_t) {}, nullptr, nullptr};
+    [](std::uint64_t, const char*) { return 0; },
+    [](std::uint64_t) {},
+    nullptr,
+    nullptr};
 
 TEST(CInterface, ScenariosAreMadeDescribedWrittenAndReadAgain) {
   const Scenarios made = generated(3);

@@ -4,6 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
 namespace slalom {
 namespace {
 
@@ -172,6 +178,33 @@ TEST_F(PythonProgramTest, AMissingModuleStopsBeforeTheFirstRun) {
   expect_failure(
       "slalom-simulate run -c small.ini -o runs.results --set method.mine.module=none.py", 2,
       {"method.mine.module", "'none.py' not found"});
+}
+
+TEST_F(PythonProgramTest, TheExampleSetsParametersOfTheInnerMethod) {
+  const std::string command = "slalom-simulate run -c '" + std::string(kSource) +
+                              "/examples/adaptive_parameters/campaign.ini' --quiet --set "
+                              "scenarios.count=2 --set metrics.enabled=success -o ";
+  const auto hashes = [&](const std::string& name, const std::string& settings) {
+    EXPECT_EQ(run(command + name + settings).status, 0);
+    std::map<std::string, std::vector<std::string>> found;
+    std::istringstream lines(run("slalom-analyze dump " + name).out);
+    for (std::string line; std::getline(lines, line);) {
+      const Json one = Json::parse(line);
+      EXPECT_NE(one.at("outcome"), "method_error") << line;
+      found[one.at("method")].push_back(one.at("trajectory_hash"));
+    }
+    return found;
+  };
+  auto found = hashes("a.results", "");
+  EXPECT_NE(found.at("adaptive"), found.at("fixed"));
+  // With the parameters of the inner method in all places it is that method.
+  std::string same;
+  for (const std::string place : {"open", "narrow"})
+    for (const std::string value :
+         {"sim_time_*=1.7", "occdist_scale_*=0.01", "inflation_radius_*=0.55"})
+      same += " --set method.adaptive." + std::regex_replace(value, std::regex("\\*"), place);
+  found = hashes("b.results", same);
+  EXPECT_EQ(found.at("adaptive"), found.at("fixed"));
 }
 
 TEST_F(PythonProgramTest, TheExampleIsTheOneInTheDocuments) {

@@ -41,7 +41,7 @@ std::vector<TunableParameter> class_option_ranges(const pybind11::object& type,
                                                   const pybind11::object& options,
                                                   const std::string& where);
 
-/// What adapt() of an object returned, as texts.
+/// Texts of what adapt() of an object returned.
 std::map<std::string, std::string> parameters_of(const pybind11::object& returned);
 
 /// Sets an option of an object during a run.

@@ -222,7 +222,7 @@ TEST(PythonMethod, NeedsNoMoreThanStep) {
   }
 }
 
-/// What adapt() of a class gives where the goal is 3 m ahead.
+/// Parameters that adapt() of a class gives where the goal is 3 m ahead.
 std::map<std::string, std::string> adapted(const std::string& name, const std::string& keys = "") {
   const auto method = load(section_for("parameters.py", name, "inner = b\n" + keys));
   EXPECT_TRUE(method->adapts());

@@ -12,7 +12,7 @@
 namespace slalom {
 namespace {
 
-/// What the methods of a test are told, in order.
+/// Calls of the methods of a test, in order.
 std::vector<std::string> log;
 
 /// Commands v = gain, which can be set.
