@@ -4,6 +4,7 @@
 #include <slalom/app/checks.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/io/reference_text.h>
 #include <slalom/io/scenario_list.h>
 #include <slalom/ompl/ompl_planner.h>
@@ -22,6 +23,7 @@ struct ReferenceArguments {
   OmplOptions planner;
   ArrivalLimits arrival;
   std::uint64_t seed = 1;
+  std::string picture;
 };
 
 std::string compute(const ReferenceArguments& arguments, const ScenarioList::Entry& entry,
@@ -38,8 +40,10 @@ std::string compute(const ReferenceArguments& arguments, const ScenarioList::Ent
       compute_references(problem, planner.get(), arguments.planner.gap, arguments.seed);
   refuse_obstructed(problem, arguments.robot.shape(), arguments.arrival.goal_tolerance, references);
   add_earliest_arrival(problem, arguments.arrival, references);
-  return arguments.list.json ? render_json(references, entry.id, entry.name)
-                             : render_text(references, entry.id, entry.name);
+  if (!arguments.picture.empty())
+    write_picture(scenario, references, arguments.robot.radius, 800, arguments.picture);
+  return arguments.list.json ? render_json(references, entry.id, entry.name, &world)
+                             : render_text(references, entry.id, entry.name, &world);
 }
 
 /// Each scenario in a new process, since OMPL's random generators are seeded once per process.
@@ -51,6 +55,10 @@ void run(ReferenceArguments arguments) {
   const ScenarioList list = ScenarioList::open(arguments.list.list);
   std::vector<ScenarioList::Entry> entries = list.entries();
   if (!arguments.list.id.empty()) entries = {list.find_entry(arguments.list.id)};
+  if (!arguments.picture.empty()) require_picture(arguments.picture);
+  if (!arguments.picture.empty() && entries.size() != 1)
+    throw usage_error("-o", "a picture of " + count_text(entries.size(), "scenario"),
+                      "the name or --id of one scenario");
   std::vector<Scenario> scenarios;
   for (const auto& entry : entries) scenarios.push_back(list.read(entry.hash));
   PoolOptions pool;
@@ -109,6 +117,8 @@ void add_reference_verb(CLI::App& app) {
       ->check(above_zero())
       ->capture_default_str();
   verb->add_option("--seed", arguments.seed, "Seed of the planner")->capture_default_str();
+  verb->add_option("-o,--output", arguments.picture,
+                   "With one scenario: a picture of both paths, .png or .svg");
   verb->add_flag("--json", arguments.list.json, "One JSON object per scenario");
   verb->callback([] { run(arguments); });
 }

@@ -21,7 +21,6 @@ struct RenderArguments {
   ListArguments list;
   std::string output;
   int pixels = 800;
-  bool bare = false;
 };
 
 struct EntriesArguments {
@@ -76,25 +75,31 @@ void render(const RenderArguments& arguments) {
   const Scenario scenario = load_scenario(arguments.list);
   const World world(scenario, arguments.list.resolution);
   const auto& start = scenario.start();
-  References references;
-  if (!arguments.bare)
-    references = compute_references(
-        {world, arguments.list.robot_radius, {start.x, start.y}, scenario.goal()}, nullptr, 0.01,
-        1);
-  SceneOptions options;
-  options.max_pixels = arguments.pixels;
-  options.robot_radius = arguments.list.robot_radius;
-  options.references = &references;
-  if (ends_with(arguments.output, ".svg")) {
-    write_file_atomically(arguments.output, render_svg(scenario, options));
-  } else if (ends_with(arguments.output, ".png")) {
-    render_png(scenario, options, arguments.output);
-  } else {
-    throw usage_error("-o " + arguments.output, "unknown image format", ".png or .svg");
-  }
+  const References references = compute_references(
+      {world, arguments.list.robot_radius, {start.x, start.y}, scenario.goal()}, nullptr, 0.01, 1);
+  write_picture(scenario, references, arguments.list.robot_radius, arguments.pixels,
+                arguments.output);
 }
 
 }  // namespace
+
+void write_picture(const Scenario& scenario, const References& references, double robot_radius,
+                   int pixels, const std::string& path) {
+  SceneOptions options;
+  options.max_pixels = pixels;
+  options.robot_radius = robot_radius;
+  options.references = &references;
+  require_picture(path);
+  if (ends_with(path, ".svg"))
+    write_file_atomically(path, render_svg(scenario, options));
+  else
+    render_png(scenario, options, path);
+}
+
+void require_picture(const std::string& path) {
+  if (!ends_with(path, ".svg") && !ends_with(path, ".png"))
+    throw usage_error("-o " + path, "unknown image format", ".png or .svg");
+}
 
 void add_show_verbs(CLI::App& app) {
   static EntriesArguments list;
@@ -117,7 +122,6 @@ void add_show_verbs(CLI::App& app) {
   verb->add_option("--pixels", rendered.pixels, "Longer side of the image, pixels")
       ->check(in_range(16, 10000))
       ->capture_default_str();
-  verb->add_flag("--bare", rendered.bare, "Without reference paths");
   add_robot_options(*verb, rendered.list);
   verb->callback([] { render(rendered); });
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/references/reference.h>
+#include <slalom/scenario/scenario.h>
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -32,5 +35,11 @@ CLI::App* add_list_verb(CLI::App& app, const std::string& name, const std::strin
 /// Adds a scenario of the list as a second argument or as --id.
 void add_scenario_argument(CLI::App& verb, ListArguments& arguments, bool required = true);
 void add_robot_options(CLI::App& verb, ListArguments& arguments);
+
+/// Throws Error (Usage) for another name than one in .png or .svg.
+void require_picture(const std::string& path);
+/// Draws a scenario with its reference paths into such a file.
+void write_picture(const Scenario& scenario, const References& references, double robot_radius,
+                   int pixels, const std::string& path);
 
 }  // namespace slalom

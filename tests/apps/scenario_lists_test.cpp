@@ -239,7 +239,7 @@ TEST_F(ScenarioLists, VerbsTakeAScenarioByNameOrIdAsAnArgumentOrAnOption) {
                                           "--id " + name, "--id " + id, name + " --id " + name};
   for (const std::string& form : forms) {
     EXPECT_EQ(slalom("show a.scenarios " + form).out.substr(0, shown.size()), shown) << form;
-    EXPECT_EQ(slalom("render a.scenarios --bare -o a.svg " + form).status, 0) << form;
+    EXPECT_EQ(slalom("render a.scenarios -o a.svg " + form).status, 0) << form;
     EXPECT_EQ(slalom("export a.scenarios -o a.yaml " + form).status, 0) << form;
     const ProgramResult reference = slalom("reference a.scenarios --json " + form);
     EXPECT_EQ(Json::parse(reference.out)["id"], id) << form << reference.err;

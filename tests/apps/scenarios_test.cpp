@@ -135,6 +135,32 @@ TEST_F(Scenarios, ReferencesHaveACertificate) {
   EXPECT_LE(json["lower_bound"].get<double>(), 2 + 1e-9);
 }
 
+TEST_F(Scenarios, ReferencesNameTheNarrowestPlaceAndDrawIt) {
+  // A door of 1 m; cells of 5 cm that its edges touch are occupied, too.
+  write("door.scenario.yaml",
+        "name: door\nrepresentation: continuous\nbounds: [0, 0, 6, 4]\nstart: [1, 2, 0]\n"
+        "goal: [5, 2]\ndiscs: []\npolygons:\n  - [[3, 0], [3.2, 0], [3.2, 1.5], [3, 1.5]]\n"
+        "  - [[3, 2.5], [3.2, 2.5], [3.2, 4], [3, 4]]\n");
+  const std::string import = "slalom-scenarios import door.scenario.yaml ";
+  ASSERT_EQ(run(import + "-o door.scenarios").status, 0);
+  const ProgramResult found = run("slalom-scenarios reference door.scenarios --json -o door.svg");
+  ASSERT_EQ(found.status, 0) << found.err;
+  const auto json = nlohmann::json::parse(found.out);
+  EXPECT_NEAR(json["narrowest_width"].get<double>(), 0.9, 0.1);
+  EXPECT_NEAR(json["narrowest_place"][0].get<double>(), 3.1, 0.15);
+  EXPECT_NEAR(json["narrowest_place"][1].get<double>(), 2, 0.05);
+  EXPECT_NE(run("slalom-scenarios reference door.scenarios").out.find("\n  narrowest_place = ["),
+            std::string::npos);
+  const std::string picture = read("door.svg");
+  EXPECT_NE(picture.find("<svg"), std::string::npos);
+  EXPECT_NE(picture.find("polyline"), std::string::npos);
+  ASSERT_EQ(run("slalom-scenarios generate -c generate.ini -n 2 --quiet -o two.scenarios").status,
+            0);
+  expect_failure("slalom-scenarios reference two.scenarios -o two.svg", 2,
+                 {"-o", "2 scenarios", "one scenario"});
+  expect_failure("slalom-scenarios reference door.scenarios -o door.gif", 2, {".png or .svg"});
+}
+
 TEST_F(Scenarios, RendersExportsAndImports) {
   ASSERT_EQ(run("slalom-scenarios generate -c generate.ini -n 1 --quiet -o a.scenarios").status, 0);
   const std::string id = run("slalom-scenarios list a.scenarios").out.substr(0, 8);

@@ -32,7 +32,7 @@ void add_arrival(const References& references, nlohmann::ordered_json& json) {
 }
 
 nlohmann::ordered_json to_json(const References& references, const std::string& id,
-                               const std::string& name) {
+                               const std::string& name, const World* world) {
   nlohmann::ordered_json json = {{"id", id}, {"name", name}};
   if (references.shortest) {
     const ShortestPath& s = *references.shortest;
@@ -56,6 +56,11 @@ nlohmann::ordered_json to_json(const References& references, const std::string& 
     json["safest_planner"] = s.planner;
     if (!s.note.empty()) json["safest_note"] = s.note;
     json["safest_path"] = polyline_json(s.path);
+    if (world != nullptr) {
+      const mrpt::math::TPoint2D narrowest = narrowest_place(*world, s.path);
+      json["narrowest_width"] = 2 * s.bottleneck;
+      json["narrowest_place"] = {narrowest.x, narrowest.y};
+    }
   } else {
     json["safest_length"] = nullptr;
     json["safest_reason"] = references.safest_reason;
@@ -74,16 +79,16 @@ nlohmann::ordered_json to_json(const References& references, const std::string& 
 }  // namespace
 
 std::string render_json(const References& references, const std::string& id,
-                        const std::string& name) {
-  return to_json(references, id, name).dump();
+                        const std::string& name, const World* world) {
+  return to_json(references, id, name, world).dump();
 }
 
 std::string render_text(const References& references, const std::string& id,
-                        const std::string& name) {
-  const nlohmann::ordered_json json = to_json(references, id, name);
+                        const std::string& name, const World* world) {
+  const nlohmann::ordered_json json = to_json(references, id, name, world);
   std::string text;
   for (const auto& [key, value] : json.items()) {
-    if (value.is_array()) continue;
+    if (value.is_array() && (value.empty() || value[0].is_array())) continue;
     text +=
         "  " + key + " = " + (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
   }
