@@ -6,8 +6,10 @@
 #include <slalom/statistics/quantile.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace slalom {
@@ -71,7 +73,7 @@ double y_at(double part) {
 
 std::string frame(const std::string& x_label, const std::string& y_label) {
   return segment(x_at(0), y_at(0), x_at(1), y_at(0)) + segment(x_at(0), y_at(0), x_at(0), y_at(1)) +
-         text(x_at(0.5), y_at(0) + 36, "middle", x_label) +
+         text(x_at(0.5), y_at(0) + 48, "middle", x_label) +
          text(10, kMargin - 16, "start", y_label);
 }
 
@@ -91,8 +93,11 @@ std::string y_ticks(const Axis& axis) {
   return content;
 }
 
+double legend_at(std::size_t index) {
+  return kMargin + kLine * static_cast<double>(index);
+}
 std::string legend(std::size_t index, const std::string& name, const std::string& color) {
-  const double left = x_at(1) + 15, top = kMargin + kLine * static_cast<double>(index);
+  const double left = x_at(1) + 15, top = legend_at(index);
   return segment(left, top, left + 20, top, 3, color) + text(left + 26, top + 4, "start", name);
 }
 
@@ -101,24 +106,33 @@ std::string chart(const std::string& content, std::size_t legends) {
   return document(x_at(1) + kLegend, std::max(kHeight + 2 * kMargin, lines), content);
 }
 
-std::string polyline(const std::string& points, const std::string& color) {
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>",
-                     points, color);
-}
-
 std::string point(double x, double y, double radius, const std::string& color, double opacity = 1) {
   return fmt::format(
       "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" fill-opacity=\"{:.2f}\"/>", x,
       y, radius, color, opacity);
 }
 
-/// A mean over the runs with a value, hollow where it is that of the survivors only.
-std::string mean_point(double x, double y, const Cell& cell, const std::string& color) {
-  const bool hollow = is_survivors_only(cell.n, cell.available);
+/// A mean over the runs with a value, hollow where it is that of the survivors only: a disc,
+/// square, triangle or diamond, by the method.
+std::string mean_point(double x, double y, const Cell& cell, std::size_t index) {
+  constexpr std::array kMarks = {"M3.2 0A3.2 3.2 0 1 1 -3.2 0A3.2 3.2 0 1 1 3.2 0Z",
+                                 "M-2.9 -2.9H2.9V2.9H-2.9Z", "M0 -3.6L3.6 2.8H-3.6Z",
+                                 "M0 -4L4 0L0 4L-4 0Z"};
+  const std::string color = method_color(index);
   return fmt::format(
-      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" "
-      "stroke-width=\"1.4\"><title>n = {} of {}</title></circle>",
-      x, y, 3, hollow ? "#ffffff" : color, color, cell.available, cell.n);
+      "<path transform=\"translate({:.1f} {:.1f})\" d=\"{}\" fill=\"{}\" stroke=\"{}\" "
+      "stroke-width=\"1.4\"><title>n = {} of {}</title></path>",
+      x, y, kMarks[index % kMarks.size()],
+      is_survivors_only(cell.n, cell.available) ? "#ffffff" : color, color, cell.available, cell.n);
+}
+
+/// Numbers of values in a category: one of all methods, else one of each, or their range.
+std::string counts_text(const std::vector<std::size_t>& counts) {
+  if (counts.empty()) return "";
+  const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
+  if (*low == *high) return fmt::format("n = {}", *low);
+  return counts.size() <= 4 ? fmt::format("n = {}", fmt::join(counts, ", "))
+                            : fmt::format("n = {} to {}", *low, *high);
 }
 
 /// The colors of outcomes in reports.
@@ -178,8 +192,13 @@ std::string lines_figure(const QuantityInfo& info, const std::string& x_label,
   };
   std::string content = frame(x_label, label_of(info)) + y_ticks(axis);
   bool any_hollow = false;
-  for (std::size_t i = 0; i < categories.size(); ++i)
-    content += text(x_of(i), y_at(0) + 18, "middle", categories[i]);
+  for (std::size_t i = 0; i < categories.size(); ++i) {
+    std::vector<std::size_t> counts;
+    for (const CellLine& line : lines)
+      if (line.cells[i] != nullptr) counts.push_back(line.cells[i]->available);
+    content += text(x_of(i), y_at(0) + 18, "middle", categories[i]) +
+               text(x_of(i), y_at(0) + 32, "middle", counts_text(counts));
+  }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     // Beside each other, so that intervals do not hide each other.
     const double shift = 5 * (static_cast<double>(i) - static_cast<double>(lines.size() - 1) / 2);
@@ -193,10 +212,11 @@ std::string lines_figure(const QuantityInfo& info, const std::string& x_label,
       if (cell->interval)
         marks += segment(x, y_at(axis.part(cell->interval->low)), x,
                          y_at(axis.part(cell->interval->high)), 1.2, color);
-      marks += mean_point(x, y, *cell, color);
+      marks += mean_point(x, y, *cell, i);
       any_hollow = any_hollow || is_survivors_only(cell->n, cell->available);
     }
-    content += polyline(points, color) + marks + legend(i, lines[i].name, color);
+    content += svg::method_line(points, i) + marks +
+               svg::method_key(x_at(1) + 15, legend_at(i), i, lines[i].name);
   }
   if (any_hollow)
     content += text(x_at(1) + 15, kMargin + kLine * static_cast<double>(lines.size()) + 8, "start",
@@ -400,7 +420,8 @@ std::string distribution_figure(const ResultTable& runs, const std::string& metr
       points += fmt::format("{:.1f},{:.1f} ", x, y_at(share));
     }
     points += fmt::format("{:.1f},{:.1f}", x_at(1), y_at(share));
-    content += polyline(points, method_color(i)) + legend(i, runs.methods[i], method_color(i));
+    content += svg::method_line(points, i) +
+               svg::method_key(x_at(1) + 15, legend_at(i), i, runs.methods[i]);
   }
   return chart(content, methods.size());
 }

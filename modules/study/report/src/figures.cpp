@@ -14,6 +14,8 @@ namespace {
 
 using svg::document;
 using svg::kMargin;
+using svg::method_key;
+using svg::method_line;
 using svg::segment;
 using svg::text;
 
@@ -63,15 +65,12 @@ class ProfileChart {
       fraction = step.fraction;
     }
     points += fmt::format("{:.1f},{:.1f}", x(max_), y(fraction));
-    return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>",
-                       points, method_color(index));
+    return method_line(points, index);
   }
 
   std::string legend(std::size_t index) const {
-    const double left = kMargin + kWidth + 15;
-    const double top = kMargin + 18 * static_cast<double>(index);
-    return segment(left, top, left + 20, top, 2, method_color(index)) +
-           text(left + 26, top + 4, "start", table_.profiles[index].method);
+    return method_key(kMargin + kWidth + 15, kMargin + 18 * static_cast<double>(index), index,
+                      table_.profiles[index].method);
   }
 
   const ProfileTable& table_;
@@ -148,6 +147,29 @@ class RankDiagram {
   std::vector<std::size_t> order_;  ///< methods, best first
 };
 
+/// The lines of scenarios and how they are drawn, each once.
+std::vector<std::pair<std::string, std::string>> keys_of(
+    const std::vector<ScenarioFigure>& scenarios) {
+  std::vector<std::pair<std::string, std::string>> keys;
+  const auto add = [&](const std::string& name, const std::string& key) {
+    const bool known =
+        std::any_of(keys.begin(), keys.end(), [&](const auto& one) { return one.first == name; });
+    if (!known) keys.emplace_back(name, key);
+  };
+  for (const auto& [scenario, options] : scenarios)
+    for (std::size_t i = 0; i < options.trajectories.size(); ++i) {
+      const SceneTrajectory& one = options.trajectories[i];
+      add(one.label, fmt::format("stroke=\"{}\"",
+                                 html_escape(one.color.empty() ? method_color(i) : one.color)));
+    }
+  for (const auto& [scenario, options] : scenarios) {
+    if (options.references == nullptr) continue;
+    if (options.references->shortest) add("shortest path", reference_line(true));
+    if (options.references->safest) add("safest path", reference_line(false));
+  }
+  return keys;
+}
+
 }  // namespace
 
 std::string profile_figure(const ProfileTable& table) {
@@ -177,7 +199,15 @@ std::string scenario_figure(const std::vector<ScenarioFigure>& scenarios, std::s
     width = std::max(width, left - kGap);
     top += height + kCaption + kGap;
   }
-  return document(width, top - kGap, content);
+  top -= kGap;
+  const auto keys = keys_of(scenarios);
+  for (const auto& [name, key] : keys) {
+    top += kCaption;
+    content +=
+        fmt::format("<polyline points=\"2,{0:.0f} 28,{0:.0f}\" fill=\"none\" {1}/>", top - 4, key);
+    content += text(34, top, "start", name);
+  }
+  return document(width, keys.empty() ? top : top + kGap, content);
 }
 
 }  // namespace slalom

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -62,6 +63,36 @@ TEST(Figures, ScenariosAreInRowsWithTheirNames) {
   EXPECT_EQ(count(svg, ">three</text>"), 1U);
 }
 
+TEST(Figures, OfScenariosNameMethodsAndReferencePathsOnce) {
+  References references;
+  references.shortest = {{{1, 3}, {7, 3}}, 6, {6, 6}, "exact", "", 6, std::nullopt};
+  std::vector<ScenarioFigure> figures;
+  for (const char* name : {"one", "two"}) {
+    SceneOptions options;
+    options.references = &references;
+    options.trajectories = {{"nd", {{1, 3}, {4, 3}}, Outcome::Success, ""},
+                            {"a & b", {{1, 3}, {5, 3}}, Outcome::Stuck, ""}};
+    figures.push_back({Scenario::continuous(name, {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3}), options});
+  }
+  const std::string svg = scenario_figure(figures, 2);
+  for (const char* name : {"nd", "a &amp; b", "shortest path"})
+    EXPECT_EQ(count(svg, ">" + std::string(name) + "</text>"), 1U) << svg;
+  EXPECT_EQ(count(svg, "safest path"), 0U);
+  EXPECT_EQ(count(svg, " 28,"), 3U) << "a line beside each name";
+}
+
+TEST(Figures, LinesOfMethodsDifferInGray) {
+  ProfileTable table;
+  for (const char* name : {"a", "b", "c", "d", "e", "f", "g"})
+    table.profiles.push_back({name, 0, {{1, 0.5}}});
+  const std::string svg = profile_figure(table);
+  std::set<std::string> dashes;
+  const std::string name = "stroke-dasharray=\"";
+  for (std::size_t at = svg.find(name); at != std::string::npos; at = svg.find(name, at + 1))
+    dashes.insert(svg.substr(at, svg.find('"', at + name.size()) - at));
+  EXPECT_EQ(dashes.size(), 6U) << "and one line is solid";
+}
+
 /// Runs of "a" with lengths 1, 2, 3, 4 and a failure, and of "b & c" with length 2.
 ResultTable lengths() {
   ResultTable runs;
@@ -101,7 +132,10 @@ TEST(Figures, AMetricOverBinsIsALineThroughItsEstimates) {
   EXPECT_EQ(count(svg, "points=\"137.5,50.0 317.5,290.0 \""), 1U) << svg;
   EXPECT_EQ(count(svg, "points=\"322.5,50.0 \""), 1U) << svg;
   EXPECT_EQ(count(svg, ">[0, 0.2)</text>"), 1U);
-  EXPECT_EQ(count(svg, "<circle"), 3U);
+  EXPECT_EQ(count(svg, "d=\"M3.2 0A"), 2U) << "discs of the first method";
+  EXPECT_EQ(count(svg, "d=\"M-2.9 -2.9H"), 1U) << "a square of the second";
+  EXPECT_EQ(count(svg, ">n = 4</text>"), 1U);
+  EXPECT_EQ(count(svg, ">n = 1</text>"), 1U);
   EXPECT_EQ(count(svg, ">b &amp; c</text>"), 1U);
 }
 
@@ -115,6 +149,7 @@ TEST(Figures, AMeanOfSurvivorsIsHollow) {
   EXPECT_EQ(count(svg, "<title>n = 4 of 5</title>"), 1U);
   EXPECT_EQ(count(svg, "<title>n = 1 of 1</title>"), 1U);
   EXPECT_EQ(count(svg, "hollow: "), 1U);
+  EXPECT_EQ(count(svg, ">n = 4, 1</text>"), 1U) << "below the bin, in the order of the methods";
 }
 
 TEST(Figures, AHistoryIsALineOverTheResults) {

@@ -17,6 +17,11 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
+std::string dashes(const LineStyle& style) {
+  return fmt::format("stroke-width=\"{}\" stroke-dasharray=\"{} {}\"", style.width, style.dash,
+                     style.gap);
+}
+
 /// The mark of a failure about the current point, one per kind, the same as in the charts of a
 /// report (marks.js).
 const char* failure_mark(Outcome outcome) {
@@ -120,10 +125,7 @@ class Picture {
 
   std::string line(const Path& path, const std::string& css_class, const LineStyle& style,
                    const std::string& title) const {
-    return line(path, css_class, style.color,
-                fmt::format("stroke-width=\"{}\" stroke-dasharray=\"{} {}\"", style.width,
-                            style.dash, style.gap),
-                title);
+    return line(path, css_class, style.color, dashes(style), title);
   }
 
   std::string line(const Path& path, const std::string& css_class, const std::string& color,
@@ -196,6 +198,11 @@ Bounds view_around(const Scenario& scenario, const std::vector<SceneTrajectory>&
   const Bounds& all = scenario.bounds();
   return {std::max(all.x_min, view.x_min - margin), std::max(all.y_min, view.y_min - margin),
           std::min(all.x_max, view.x_max + margin), std::min(all.y_max, view.y_max + margin)};
+}
+
+std::string reference_line(bool shortest) {
+  const LineStyle& style = shortest ? kShortestLine : kSafestLine;
+  return fmt::format("stroke=\"{}\" {}", style.color, dashes(style));
 }
 
 std::string method_color(std::size_t index) {

@@ -41,6 +41,9 @@ struct SceneOptions {
   std::optional<Bounds> view = {};  ///< the part that is drawn; none: the workspace
 };
 
+/// The attributes of the line of the shortest path, or of the safest one.
+std::string reference_line(bool shortest);
+
 /// The part of the workspace with start, goal and the trajectories, and `margin` (m) around them.
 Bounds view_around(const Scenario& scenario, const std::vector<SceneTrajectory>& trajectories,
                    double margin);
