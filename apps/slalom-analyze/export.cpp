@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "export.h"
+#include "export_paper.h"
 #include "warnings.h"
 
 #include <slalom/analysis/data_table.h>
@@ -46,15 +47,19 @@ bool is_one_file(const std::string& output, const char* ending) {
   return ends_with(output, ending) && !std::filesystem::is_directory(output);
 }
 
+void create_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw job_error(folder, "cannot create the folder: " + error.message(), "a writable path");
+}
+
 /// Writes one file per table into a folder.
 void write_tables(const ExportData& data, const std::string& folder, const char* ending,
                   std::string (*render)(const DataTable&)) {
   if (is_one_file(folder, ending))
     return write_file_atomically(folder, render(runs_table(data.results)));
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw job_error(folder, "cannot create the folder: " + error.message(), "a writable path");
+  create_folder(folder);
   for (const DataTable& table : data.tables()) {
     if (table.name.find('/') != std::string::npos)
       throw file_error(data.results.source, "contains the name '" + table.name + "'",
@@ -86,6 +91,11 @@ void write_plannerarena(const ExportData& data, const std::string& output) {
   write_benchmark_database(data.results, output);
 }
 
+void write_paper(const ExportData& data, const std::string& output) {
+  create_folder(output);
+  write_paper(data.results, data.summary, data.cross_tables, output);
+}
+
 struct Format {
   const char* name;
   const char* extension;  ///< of the file
@@ -95,11 +105,9 @@ struct Format {
 
 /// All formats; add new ones here.
 constexpr Format kFormats[] = {
-    {"csv", ".csv", true, write_csv},
-    {"json", ".json", true, write_json},
-    {"xlsx", ".xlsx", false, write_xlsx},
-    {"latex", ".tex", false, write_latex},
-    {"plannerarena", ".db", false, write_plannerarena},
+    {"csv", ".csv", true, write_csv},       {"json", ".json", true, write_json},
+    {"xlsx", ".xlsx", false, write_xlsx},   {"latex", ".tex", false, write_latex},
+    {"paper", ".paper", true, write_paper}, {"plannerarena", ".db", false, write_plannerarena},
 };
 
 /// The given format, or that of the output's extension.
@@ -144,7 +152,8 @@ void define_export(CLI::App& app) {
   verb->add_option(
           "--format", arguments.format,
           "csv or json (a folder with a file per table; the runs if the output is a .csv or "
-          ".json), xlsx, latex, or plannerarena (a database for OMPL's Planner Arena); "
+          ".json), xlsx, latex, paper (a folder with tables, figures and the text about how the "
+          "runs were made), or plannerarena (a database for OMPL's Planner Arena); "
           "default: by the output's name, .csv, .json, .xlsx, .tex or .db")
       ->check(CLI::IsMember(names));
   verb->add_option("-o,--output", arguments.output, "File or folder to write")->required();

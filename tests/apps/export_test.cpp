@@ -60,6 +60,23 @@ TEST_F(Export, LatexCompiles) {
   EXPECT_GT(read("tables.pdf").size(), 1000u);
 }
 
+TEST_F(Export, APaperHasTablesFiguresAndHowTheRunsWereMade) {
+  if (!has_program("rsvg-convert")) GTEST_SKIP() << "needs the package librsvg2-bin";
+  ASSERT_EQ(run("slalom-analyze export runs.results --format paper -o paper --quiet").status, 0);
+  const std::string text = read("paper/methods.tex");
+  for (const char* words : {"with Slalom 0.", "8 runs in all", "a disc of radius 0.25~m",
+                            "Intervals are at 95~\\%", "\\cite{slalom}"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+  EXPECT_EQ(read("paper/summary.tex").find("\\begin{table}"), 0U);
+  EXPECT_EQ(read("paper/figure_success_by_density.tex").find("\\begin{figure}"), 0U);
+  EXPECT_EQ(read("paper/success_by_density.pdf").substr(0, 4), "%PDF");
+  EXPECT_NE(read("paper/slalom.bib").find("@misc{slalom,"), std::string::npos);
+  if (!has_program("pdflatex")) GTEST_SKIP() << "needs the package texlive-latex-base";
+  const std::string compile = "pdflatex -interaction=nonstopmode -halt-on-error paper.tex";
+  const ProgramResult result = run("cd paper && " + compile + " && bibtex paper && " + compile);
+  EXPECT_EQ(result.status, 0) << result.out;
+}
+
 TEST_F(Export, TablesOfAllVerbsAreInputOfADocumentOfLatex) {
   std::string document =
       "\\documentclass{article}\\IfFileExists{booktabs.sty}{\\usepackage{booktabs}}{"
@@ -198,11 +215,11 @@ TEST_F(Export, FiguresOfEachKindAreDrawn) {
   EXPECT_EQ(count(draw("--cell density:0,1"), "class=\"scene\""), 4U);
   EXPECT_EQ(count(draw("--cell density:0,1 --count 3 --method gap"), "class=\"trajectory\""), 3U);
   EXPECT_EQ(count(draw("--animate " + hash + "/nd/0"), "<animateTransform"), 2U);
-  EXPECT_EQ(count(draw("--profile path_length"), "<polyline"), 2U);
-  EXPECT_EQ(count(draw("--metric success --by density:0,0.05,1"), "<polyline"), 2U);
+  EXPECT_EQ(count(draw("--profile path_length"), "<polyline"), 4U);
+  EXPECT_EQ(count(draw("--metric success --by density:0,0.05,1"), "<polyline"), 4U);
   EXPECT_EQ(count(draw("--outcomes"), ">n = 4</text>"), 2U);
   EXPECT_EQ(count(draw("--box path_length"), "stroke-width=\"1.5\""), 2U);
-  EXPECT_EQ(count(draw("--ecdf time_to_goal"), "<polyline"), 2U);
+  EXPECT_EQ(count(draw("--ecdf time_to_goal"), "<polyline"), 4U);
   EXPECT_EQ(count(draw("--scatter density,path_length"), "<circle"), 8U);
   EXPECT_NE(draw("--ranks path_length").find("CD = "), std::string::npos);
 }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "export_paper.h"
+#include "figure_file.h"
+
+#include <slalom/analysis/data_table.h>
+#include <slalom/analysis/table_latex.h>
+#include <slalom/core/ini_file.h>
+#include <slalom/core/read_file.h>
+#include <slalom/core/text.h>
+#include <slalom/io/result_file.h>
+#include <slalom/report/figures.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace slalom {
+namespace {
+
+std::string value_of(const Manifest& manifest, const std::string& key) {
+  const auto found = manifest.find(key);
+  return found == manifest.end() ? "" : found->second;
+}
+
+/// How the runs were made, of what the results contain.
+std::string methods_paragraph(const ResultTable& results, double confidence) {
+  const Manifest& manifest = results.manifest;
+  const IniFile ini = IniFile::from_text(value_of(manifest, "campaign.effective"), "campaign");
+  const auto key = [&](const std::string& section, const std::string& name) {
+    return latex_text(ini.get(section, name).value_or("?"));
+  };
+  std::string kinematics = ini.get("robot", "kinematics").value_or("");
+  std::replace(kinematics.begin(), kinematics.end(), '_', ' ');
+  const std::string footprint = ini.get("robot", "footprint").value_or("");
+  const std::string shape = footprint.empty() ? "a disc of radius " + key("robot", "radius") + "~m"
+                                              : "the polygon " + latex_text(footprint) + " (m)";
+  std::vector<std::string> methods;
+  for (const std::string& method : results.methods) methods.push_back(latex_text(method));
+  std::string text = "The methods " + join(methods, ", ") + " ran in " +
+                     count_text(results.scenario_hashes.size(), "scenario") + ", " +
+                     count_text(results.size(), "run") + " in all, with Slalom " +
+                     latex_text(value_of(manifest, "version.slalom")) + "~\\cite{slalom}.";
+  if (!value_of(manifest, "campaign.effective").empty())
+    text += " The robot (" + latex_text(kinematics) + ") is " + shape + " with at most " +
+            key("robot", "max_v") + "~m/s and " + key("robot", "max_w") + "~rad/s; its laser has " +
+            key("sensor", "rays") + " rays over " + key("sensor", "aperture_deg") +
+            " degrees up to " + key("sensor", "max_range") + "~m, with noise of " +
+            key("sensor", "noise_sigma") + "~m. Methods decide every " +
+            key("simulation", "control_period") + "~s. A run succeeds within " +
+            key("simulation", "goal_tolerance") + "~m of the goal; it ends by contact, after " +
+            key("simulation", "max_time") + "~s, or after " + key("simulation", "stuck_time") +
+            "~s without progress. The seed is " + latex_text(value_of(manifest, "seed")) + ".";
+  return text + " Intervals are at " + format_number(100 * confidence) +
+         "~\\%. The scenarios have the hash \\texttt{" +
+         latex_text(value_of(manifest, "scenarios.hash")) + "}, the campaign \\texttt{" +
+         latex_text(value_of(manifest, "campaign.identity")) + "}.\n";
+}
+
+/// Whether the tables are of the same bins as the first of them.
+std::vector<CrossTable> of_descriptor(const std::vector<CrossTable>& tables,
+                                      const CrossTable& first) {
+  std::vector<CrossTable> found;
+  for (const CrossTable& table : tables)
+    if (table.descriptor.id == first.descriptor.id) found.push_back(table);
+  return found;
+}
+
+/// A name for a file and a label.
+std::string file_name(std::string name) {
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+}
+
+}  // namespace
+
+void write_paper(const ResultTable& results, const SummaryTable& summary,
+                 const std::vector<CrossTable>& tables, const std::string& folder) {
+  const std::string at = folder + "/";
+  std::vector<std::string> parts = {"\\input{methods.tex}\n"};
+  const auto add_table = [&](const std::string& name, const std::string& text) {
+    write_file_atomically(at + name + ".tex", text);
+    parts.push_back("\\input{" + name + ".tex}\n");
+  };
+  const auto add_figure = [&](const std::string& name, const std::string& svg,
+                              const std::string& caption) {
+    write_figure(svg, at + name + ".pdf");
+    add_table("figure_" + name,
+              "\\begin{figure}\n\\centering\n\\includegraphics[width=\\linewidth]{" + name +
+                  ".pdf}\n\\caption{" + caption + "}\n\\label{fig:" + name + "}\n\\end{figure}\n");
+  };
+  write_file_atomically(at + "methods.tex", methods_paragraph(results, summary.confidence));
+  add_table("summary", render_latex(summary));
+  add_figure("outcomes", outcome_figure(summary), "How the runs of each method end.");
+  std::vector<std::string> drawn;
+  for (const CrossTable& table : tables) {
+    add_table(file_name(cross_data(table).name), render_latex(table));
+    if (contains(drawn, table.descriptor.id)) continue;
+    drawn.push_back(table.descriptor.id);
+    for (const Column& column : table.columns)
+      add_figure(file_name(column.info.id + "_by_" + table.descriptor.id),
+                 bins_figure(of_descriptor(tables, table), column),
+                 latex_text(column.info.name) + " over " + latex_text(table.descriptor.name) +
+                     ", with the numbers of values n; hollow: of more than 10~\\% of the runs "
+                     "there is none.");
+  }
+  write_file_atomically(
+      at + "slalom.bib",
+      "@misc{slalom,\n  author = {{The Slalom authors}},\n  title = {Slalom: automatic "
+      "evaluation of obstacle avoidance methods for mobile robots},\n  note = {Version " +
+          latex_text(value_of(results.manifest, "version.slalom")) + "}\n}\n");
+  write_file_atomically(
+      at + "paper.tex",
+      "\\documentclass{article}\n\\usepackage{graphicx}\n\\IfFileExists{booktabs.sty}{\\usepackage"
+      "{booktabs}}{\\let\\toprule\\hline\\let\\midrule\\hline\\let\\bottomrule\\hline}\n"
+      "\\begin{document}\n" +
+          join(parts, "\\clearpage\n") +
+          "\\bibliographystyle{plain}\n\\bibliography{slalom}\n\\end{document}\n");
+}
+
+}  // namespace slalom
