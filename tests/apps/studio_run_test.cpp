@@ -161,13 +161,28 @@ TEST_F(StudioRun, ExecutesALibraryOfResultsOnlyIfTheyAreTrusted) {
       "key F9\n"
       "wait idle\n"
       "expect status contains \"would execute\"\n"
-      "expect dialog contains \"Generate > Campaign of runs...\"\n"
-      "click dialog ok\n"
+      "expect dialog contains \"would execute\"\n"
+      "click dialog cancel\n"
       "expect results contains \"Results: runs.results\"\n"
       "do generate.campaign\n"
       "click dialog \"field trust\"\n"
       "click dialog ok\n"
       "key F9\n"
+      "wait idle\n"
+      "expect results contains \"Run here, campaign planted\"\n",
+      "--results out/runs.results");
+}
+
+TEST_F(StudioRun, TrustsResultsAtTheQuestionAndRuns) {
+  write("planted.ini", kPlantedCampaign);
+  ASSERT_EQ(
+      run("slalom-evaluate planted.ini --set scenarios.list=room.scenarios -o out --quiet").status,
+      0);
+  expect_played_here(
+      "key F9\n"
+      "wait idle\n"
+      "expect dialog contains \"would execute\"\n"
+      "click dialog ok\n"
       "wait idle\n"
       "expect results contains \"Run here, campaign planted\"\n",
       "--results out/runs.results");

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <slalom/io/svg_scene.h>
 #include <slalom/studio/palette.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace slalom {
 namespace {
@@ -67,9 +69,7 @@ Color interpolated(const Color& from, const Color& to, double fraction) {
 }
 
 Color method_line_color(std::size_t index) {
-  constexpr std::array<unsigned, 10> kColors = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00,
-                                                0x56b4e9, 0x7a4b2a, 0x6a3d9a, 0x9ab01c, 0xe31a5c};
-  return rgb(kColors[index % kColors.size()]);
+  return rgb(static_cast<unsigned>(std::stoul(method_color(index).substr(1), nullptr, 16)));
 }
 
 Color outcome_color(const std::string& outcome) {

@@ -206,8 +206,9 @@ std::string reference_line(bool shortest) {
 }
 
 std::string method_color(std::size_t index) {
-  static const std::array<const char*, 8> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                     "#56b4e9", "#e69f00", "#6a51a3", "#8c564b"};
+  static const std::array<const char*, 10> kColors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                      "#56b4e9", "#e69f00", "#6a51a3", "#8c564b",
+                                                      "#9ab01c", "#e31a5c"};
   return kColors[index % kColors.size()];
 }
 

@@ -24,6 +24,7 @@ std::string campaign_of(Studio& studio) {
 
 /// Holds what a process made: a result file in `folder`, and why it failed if it did.
 struct MadeRuns {
+  StudioServices::RunRequest request;
   std::shared_ptr<const ScratchFolder> folder = std::make_shared<ScratchFolder>();
   OverlaySource source;
   std::vector<RunRecord> runs;
@@ -34,6 +35,7 @@ struct MadeRuns {
 MadeRuns make_runs(const StudioServices& services, const Scenario& scenario,
                    StudioServices::RunRequest request, Progress& progress) {
   MadeRuns made;
+  made.request = request;
   request.list = made.folder->path() + "/one.scenarios";
   request.results = made.folder->path() + "/runs.results";
   ScenarioList::write(request.list, [&](ScenarioList& list) { list.add(scenario); });
@@ -59,13 +61,29 @@ std::string summary_of(const std::vector<RunRecord>& runs, const std::string& sc
   return count_text(runs.size(), "run") + " on " + scenario + ": " + join(parts, ", ");
 }
 
+void run_methods_here(Studio& studio);
+
+/// Asks whether the results are trusted, if that is what they lack.
+void show_failure(Studio& studio, const MadeRuns& made) {
+  const std::string error = made.error.empty() ? "no run ended" : made.error;
+  // The words of the refusal in apps/campaign.
+  if (made.request.trust || error.find("would execute what the file names") == std::string::npos)
+    return studio.events().show_error(
+        error + " (Generate > Campaign of runs... chooses another campaign)", kRunTitle);
+  studio.events().show_status(error, true);
+  studio.events().show_form({kRunTitle,
+                             "Trust and run",
+                             error,
+                             {},
+                             [&studio, campaign = made.request.campaign](const FormValues&) {
+                               studio.run_choice().trusted = campaign;
+                               run_methods_here(studio);
+                             }});
+}
+
 void show_made_runs(Studio& studio, const MadeRuns& made, const std::string& hash,
                     const std::string& name) {
-  if (made.runs.empty())
-    return studio.events().show_error(
-        (made.error.empty() ? "no run ended" : made.error) +
-            "\nGenerate > Campaign of runs... chooses another campaign, or trusts this one.",
-        kRunTitle);
+  if (made.runs.empty()) return show_failure(studio, made);
   studio.results().show_here(hash, made.source, made.folder);
   std::string text = summary_of(made.runs, name);
   if (hash != studio.current_hash()) text += "; select it to see them";

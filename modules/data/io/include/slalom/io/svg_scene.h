@@ -11,8 +11,8 @@
 
 namespace slalom {
 
-/// The color of the method at `index` in the list of methods (Okabe-Ito palette, suitable for
-/// color-blind readers).
+/// The color of the method at `index` in the list of methods, in pictures, reports and the window
+/// (Okabe-Ito palette, suitable for color-blind readers, and four more).
 std::string method_color(std::size_t index);
 
 /// `text` as character data or attribute value of HTML and SVG; control characters become '?'.
