@@ -10,7 +10,7 @@
 
 namespace slalom {
 
-/// What a paper says of results, in a folder: tables and figures to input, a paragraph about how
+/// Files of a paper about results in a folder: tables and figures to input, a paragraph about how
 /// the runs were made (methods.tex), slalom.bib, and paper.tex, a document with all of it. Throws
 /// Error (Job) when a file cannot be written, or rsvg-convert is missing.
 void write_paper(const ResultTable& results, const SummaryTable& summary,

@@ -472,6 +472,8 @@ TEST_F(Certify, ShowsCertificatesAsPagesTablesFiguresAndLists) {
     ASSERT_EQ(run("slalom-certify show a.json -o " + name).status, 0) << name;
   const Json answer = certificate("a.json").at("answer");
   const std::string page = read("a.html");
+  EXPECT_LT(page.find("class=\"answer\">claim: "), page.find("<svg")) << "the answer first";
+  EXPECT_LT(page.find("<svg"), page.find("<table>"));
   // The figure, and a picture of each failure.
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = page.find("<svg", at)) != std::string::npos; ++at) ++pictures;

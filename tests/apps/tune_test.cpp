@@ -118,7 +118,9 @@ TEST_F(Tune, FindsAPlantedOptimumAndShowsThatItIsBetter) {
             0);
   const ProgramResult verified = run("slalom-certify verify out/tuned.json --trust --quiet -j 3");
   EXPECT_EQ(verified.status, 0) << verified.err;
-  EXPECT_NE(read("out/tuned.html").find("main effects"), std::string::npos);
+  const std::string page = read("out/tuned.html");
+  EXPECT_NE(page.find("main effects"), std::string::npos);
+  EXPECT_LT(page.find("class=\"answer\">claim: "), page.find("<table>")) << "the answer first";
 }
 
 TEST_F(Tune, SearchesThatShareSealedScenariosAreCounted) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace slalom {
 namespace {
@@ -123,6 +124,35 @@ StatementFigure curve_figure(const std::string& parameter, const Json& answer) {
       "<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">success</text>\n",
       kTop + kHeight / 2);
   return figure_of(content, kLeft + kWidth + 20, kTop + kHeight + 48);
+}
+
+StatementFigure tune_figure(const Json& sealed) {
+  constexpr double kNames = 170, kLine = 24, kUnit = kWidth - 110;
+  const auto x_of = [&](double rate) { return kNames + kUnit * rate; };
+  double y = kTop + 6;
+  std::string content;
+  const auto add = [&](const std::string& scenarios, const Json& pair) {
+    for (const auto& [key, name, color] :
+         {std::tuple("default", "default", kSeen), {"tuned", "tuned", kClaimed}}) {
+      const Json& estimate = pair.at(key);
+      const double value = estimate.at("value").get<double>();
+      content += text_at(kNames - 10, y + 4, "end", scenarios + ": " + name) +
+                 fmt::format(
+                     "<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\" stroke-width=\"2\"/>"
+                     "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n",
+                     x_of(estimate.at("low").get<double>()), y,
+                     x_of(estimate.at("high").get<double>()), color, x_of(value), y, color) +
+                 text_at(x_of(1) + 8, y + 4, "start", fmt::format("{:.2f}", value));
+      y += kLine;
+    }
+  };
+  add("sealed", sealed);
+  if (const Json& hard = sealed.at("hard_end"); !hard.is_null())
+    add(hard.at("condition").get<std::string>(), hard);
+  content += fmt::format("<path d=\"M{} {:.1f}h{}\" stroke=\"#333\"/>\n", kNames, y, kUnit);
+  for (const double rate : {0.0, 0.25, 0.5, 0.75, 1.0})
+    content += text_at(x_of(rate), y + 16, "middle", format_number(rate));
+  return figure_of(content + text_at(x_of(0.5), y + 34, "middle", "success"), x_of(1) + 60, y + 44);
 }
 
 StatementFigure envelope_figure(const std::string& columns, const std::string& rows,

@@ -35,10 +35,24 @@ std::string html_of(const StatementTable& table) {
                html_escape(row[i]) + "</" + tag + ">";
     return "<tr>" + cells + "</tr>\n";
   };
-  std::string html = "<table>\n<caption>" + html_escape(table.caption) + "</caption>\n" +
-                     row_of(table.header, "th");
+  std::string html = "<div class=\"scroll\"><table>\n<caption>" + html_escape(table.caption) +
+                     "</caption>\n" + row_of(table.header, "th");
   for (const auto& row : table.rows) html += row_of(row, "td");
-  return html + "</table>\n";
+  return html + "</table></div>\n";
+}
+
+/// Whether a part is the answer to the question, with which a page begins.
+bool is_answer(const StatementPart& part) {
+  const auto* line = std::get_if<std::string>(&part);
+  return std::holds_alternative<StatementFigure>(part) ||
+         (line != nullptr && (starts_with(*line, "claim: ") || starts_with(*line, "but ")));
+}
+
+std::string html_of(const StatementPart& part) {
+  if (const auto* line = std::get_if<std::string>(&part))
+    return (is_answer(part) ? "<p class=\"answer\">" : "<p>") + html_escape(*line) + "</p>\n";
+  if (const auto* table = std::get_if<StatementTable>(&part)) return html_of(*table);
+  return std::get<StatementFigure>(part).svg;
 }
 
 constexpr char kStyle[] =
@@ -47,7 +61,10 @@ constexpr char kStyle[] =
     "th,td{padding:.15em .8em;text-align:left;border-bottom:1px solid #ddd}"
     ".number{text-align:right}svg{max-width:100%;height:auto}"
     ".failures{display:flex;flex-wrap:wrap;gap:1em}figure{margin:0;max-width:18em}"
-    "p{overflow-wrap:anywhere}";
+    "p,h1{overflow-wrap:anywhere}h1{font-size:1.5em}.answer{font-size:1.15em;font-weight:bold}"
+    ".scroll{overflow-x:auto}td{white-space:nowrap}pre{white-space:pre-wrap;overflow-wrap:anywhere}"
+    "@media(prefers-color-scheme:dark){body{background:#14171c;color:#e4e6ea}"
+    "th,td{border-color:#444}svg{background:#fff}}";
 
 }  // namespace
 
@@ -83,15 +100,14 @@ std::string render_latex(const Statement& statement) {
 std::string render_html(const Statement& statement, const std::string& more) {
   const std::string title = html_escape(statement.title);
   std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
-      "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
-  for (const auto& part : statement.parts) {
-    if (const auto* line = std::get_if<std::string>(&part))
-      html += "<p>" + html_escape(*line) + "</p>\n";
-    if (const auto* table = std::get_if<StatementTable>(&part)) html += html_of(*table);
-    if (const auto* figure = std::get_if<StatementFigure>(&part)) html += figure->svg;
-  }
-  return html + more + "</body>\n</html>\n";
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      title + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
+      "</h1>\n";
+  for (const bool answer : {true, false})
+    for (const StatementPart& part : statement.parts)
+      if (is_answer(part) == answer) html += html_of(part);
+  return html + more + "</main>\n</body>\n</html>\n";
 }
 
 std::string render_svg(const Statement& statement) {

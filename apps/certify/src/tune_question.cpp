@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "figures.h"
 #include "kinds.h"
 #include "tune_hard_end.h"
 #include "tune_scenarios.h"
@@ -481,6 +482,7 @@ Statement TuneQuestion::statement(const Json& answer) const {
       statement.parts.emplace_back("collisions of the winner: at most " +
                                    at_most_text(sealed.at("tuned_collisions").at("high")) +
                                    " of the runs");
+    statement.parts.emplace_back(tune_figure(sealed));
     statement.parts.emplace_back("optimism of the finals: " + estimate_text(sealed.at("optimism")));
   }
   if (answer.contains("front")) statement.parts.emplace_back(front_table(answer));

@@ -21,10 +21,13 @@ struct StatementFigure {
   std::string svg;
 };
 
-/// The contents of a certificate for people: paragraphs of one line, tables and figures.
+using StatementPart = std::variant<std::string, StatementTable, StatementFigure>;
+
+/// The contents of a certificate for people: paragraphs of one line, tables and figures. Pages
+/// begin with figures and with the paragraphs "claim: ..." and "but ...".
 struct Statement {
   std::string title;
-  std::vector<std::variant<std::string, StatementTable, StatementFigure>> parts;
+  std::vector<StatementPart> parts;
 };
 
 /// The statement without its figures.
