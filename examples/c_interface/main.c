@@ -46,7 +46,7 @@ static void* valid(void* result) {
 }
 
 int main(void) {
-  const slalom_own_methods own = {create, reset, step, finish, destroy};
+  const slalom_own_methods own = {create, reset, step, finish, destroy, NULL, NULL};
   const char* methods =
       "[{\"name\": \"direct\", \"type\": 1},"
       " {\"name\": \"gap\", \"keys\": {\"adapter\": \"library\", \"plugin\": "

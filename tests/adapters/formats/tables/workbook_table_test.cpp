@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 
 #include <slalom/core/text.h>
+#include <slalom/io/result_file.h>
 #include <slalom/spreadsheet/workbook.h>
 
 #include <gtest/gtest.h>

@@ -118,7 +118,7 @@ TEST(AdaptiveMethod, RefusesAnOuterMethodThatSetsNothing) {
 
 TEST(AdaptiveMethod, IsReadFromTheKeyInner) {
   MethodRegistry registry;
-  const auto reader = [](MethodFactory make) {
+  const auto reader = [](const MethodFactory& make) {
     return [make](const IniFile& ini, const std::string& section) {
       AdapterReader(ini, section).reject_unknown_keys();
       return make;
