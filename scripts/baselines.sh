@@ -79,7 +79,7 @@ for page in "${pages[@]}"; do
     barn)
       options=(--set robot.radius=0.21 --set robot.max_v=0.5 --set robot.max_w=1.57)
       options+=(--set simulation.goal_tolerance=1 --set method.dwa_ros.inflation_radius=0.3)
-      bins="density:4; clearness:4; confinement:4" metrics=success
+      bins="density:4; confinement:4" metrics=success
       ;;
     slalom-rectangle)
       options=(--set "robot.footprint=$(sed -n 's/^footprint = *\([^#]*[^# ]\) *#.*/\1/p' "configs/testbeds/$page.ini")")

@@ -137,7 +137,7 @@ class Claims(unittest.TestCase):
             campaign.write_text(path.read_text().partition("\n\n")[2])
             command = [BIN / "slalom-simulate", "run", "-c", campaign, "-o", self.root / "runs.results", "--overwrite"]
             command += ["--set", "scenarios.count=1", "--set", "limits.run_wall_time=600", "--quiet"]
-            run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.root)
+            run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=SOURCES)
             self.assertEqual((run.returncode, run.stderr), (0, ""), path)
 
 
