@@ -110,7 +110,7 @@ MethodFactory read_method(const nlohmann::json& methods, const nlohmann::json& g
     return within(own_method(*own, given.at("type"), name, nlohmann::json::object()),
                   given.value("inner", ""));
   }
-  IniFile ini = to_ini({{section, given.at("keys")}});
+  const IniFile ini = to_ini({{section, given.at("keys")}});
   if (ini.get(section, "filter"))
     return read_barrier_filter(ini, section, named("base", ini.get(section, "base").value_or("")));
   return all_adapters().read(ini, name).make;

@@ -5,6 +5,7 @@
 
 #include <slalom/analysis/data_table.h>
 #include <slalom/analysis/table_latex.h>
+#include <slalom/app/output_folder.h>
 #include <slalom/core/error.h>
 #include <slalom/core/text.h>
 #include <slalom/io/read_results.h>
@@ -16,6 +17,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace slalom {
 namespace {
@@ -31,10 +33,14 @@ struct ExportData {
   SummaryTable summary;
   std::vector<CrossTable> cross_tables;
 
-  /// All data as plain tables, which refer to this object.
+  /// All data as plain tables, each with a name of its own, which refer to this object.
   std::vector<DataTable> tables() const {
     std::vector<DataTable> all = {summary_data(summary)};
-    for (const CrossTable& table : cross_tables) all.push_back(cross_data(table));
+    std::set<std::string> used;
+    for (const CrossTable& table : cross_tables) {
+      all.push_back(cross_data(table));
+      all.back().name = unused_name(all.back().name, used);
+    }
     all.insert(all.begin(),
                {runs_table(results), scenarios_table(results), timings_table(results)});
     all.push_back(manifest_table(results));
@@ -47,19 +53,12 @@ bool is_one_file(const std::string& output, const char* ending) {
   return ends_with(output, ending) && !std::filesystem::is_directory(output);
 }
 
-void create_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw job_error(folder, "cannot create the folder: " + error.message(), "a writable path");
-}
-
 /// Writes one file per table into a folder.
 void write_tables(const ExportData& data, const std::string& folder, const char* ending,
                   std::string (*render)(const DataTable&)) {
   if (is_one_file(folder, ending))
     return write_file_atomically(folder, render(runs_table(data.results)));
-  create_folder(folder);
+  make_output_folder(folder);
   for (const DataTable& table : data.tables()) {
     if (table.name.find('/') != std::string::npos)
       throw file_error(data.results.source, "contains the name '" + table.name + "'",
@@ -92,7 +91,7 @@ void write_plannerarena(const ExportData& data, const std::string& output) {
 }
 
 void write_paper(const ExportData& data, const std::string& output) {
-  create_folder(output);
+  make_output_folder(output);
   write_paper(data.results, data.summary, data.cross_tables, output);
 }
 

@@ -5,13 +5,17 @@
 #include <slalom/analysis/data_table.h>
 #include <slalom/analysis/table_latex.h>
 #include <slalom/core/ini_file.h>
-#include <slalom/core/read_file.h>
 #include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
 #include <slalom/report/figures.h>
+#include <slalom/report/report.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <utility>
 
 namespace slalom {
 namespace {
@@ -33,6 +37,12 @@ std::string methods_paragraph(const ResultTable& results, double confidence) {
   const std::string footprint = ini.get("robot", "footprint").value_or("");
   const std::string shape = footprint.empty() ? "a disc of radius " + key("robot", "radius") + "~m"
                                               : "the polygon " + latex_text(footprint) + " (m)";
+  const ReportOptions options = report_options(results);
+  const SimulationOptions& simulation = options.simulation;
+  const std::string limit = simulation.max_time
+                                ? key("simulation", "max_time") + "~s"
+                                : "the larger of 60~s and " + key("simulation", "time_factor") +
+                                      " times the earliest possible arrival";
   std::vector<std::string> methods;
   for (const std::string& method : results.methods) methods.push_back(latex_text(method));
   std::string text = "The methods " + join(methods, ", ") + " ran in " +
@@ -47,7 +57,7 @@ std::string methods_paragraph(const ResultTable& results, double confidence) {
             key("sensor", "noise_sigma") + "~m. Methods decide every " +
             key("simulation", "control_period") + "~s. A run succeeds within " +
             key("simulation", "goal_tolerance") + "~m of the goal; it ends by contact, after " +
-            key("simulation", "max_time") + "~s, or after " + key("simulation", "stuck_time") +
+            limit + ", or after " + fmt::format("{:.4g}", simulation.stuck_limit(options.robot)) +
             "~s without progress. The seed is " + latex_text(value_of(manifest, "seed")) + ".";
   return text + " Intervals are at " + format_number(100 * confidence) +
          "~\\%. The scenarios have the hash \\texttt{" +
@@ -55,13 +65,11 @@ std::string methods_paragraph(const ResultTable& results, double confidence) {
          latex_text(value_of(manifest, "campaign.identity")) + "}.\n";
 }
 
-/// Whether the tables are of the same bins as the first of them.
-std::vector<CrossTable> of_descriptor(const std::vector<CrossTable>& tables,
-                                      const CrossTable& first) {
-  std::vector<CrossTable> found;
-  for (const CrossTable& table : tables)
-    if (table.descriptor.id == first.descriptor.id) found.push_back(table);
-  return found;
+/// The descriptor and its bins, which the tables of all methods have in common.
+std::string bins_of(const CrossTable& table) {
+  std::string text = table.descriptor.id;
+  for (const CrossRow& row : table.rows) text += " " + row.bin.label();
+  return text;
 }
 
 /// A name for a file and a label.
@@ -72,6 +80,13 @@ std::string file_name(std::string name) {
 }
 
 }  // namespace
+
+std::string unused_name(const std::string& name, std::set<std::string>& used) {
+  for (int number = 1;; ++number) {
+    const std::string other = number == 1 ? name : name + "_" + std::to_string(number);
+    if (used.insert(other).second) return other;
+  }
+}
 
 void write_paper(const ResultTable& results, const SummaryTable& summary,
                  const std::vector<CrossTable>& tables, const std::string& folder) {
@@ -91,14 +106,16 @@ void write_paper(const ResultTable& results, const SummaryTable& summary,
   write_file_atomically(at + "methods.tex", methods_paragraph(results, summary.confidence));
   add_table("summary", render_latex(summary));
   add_figure("outcomes", outcome_figure(summary), "How the runs of each method end.");
-  std::vector<std::string> drawn;
+  std::map<std::string, std::vector<CrossTable>> same_bins;
+  for (const CrossTable& table : tables) same_bins[bins_of(table)].push_back(table);
+  std::set<std::string> used;
   for (const CrossTable& table : tables) {
-    add_table(file_name(cross_data(table).name), render_latex(table));
-    if (contains(drawn, table.descriptor.id)) continue;
-    drawn.push_back(table.descriptor.id);
+    add_table(unused_name(file_name(cross_data(table).name), used), render_latex(table));
+    const std::vector<CrossTable> drawn = std::exchange(same_bins[bins_of(table)], {});
+    if (drawn.empty()) continue;
     for (const Column& column : table.columns)
-      add_figure(file_name(column.info.id + "_by_" + table.descriptor.id),
-                 bins_figure(of_descriptor(tables, table), column),
+      add_figure(unused_name(file_name(column.info.id + "_by_" + table.descriptor.id), used),
+                 bins_figure(drawn, column),
                  latex_text(column.info.name) + " over " + latex_text(table.descriptor.name) +
                      ", with the numbers of values n; hollow: of more than 10~\\% of the runs "
                      "there is none.");

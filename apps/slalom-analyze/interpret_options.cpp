@@ -18,10 +18,9 @@ void add_choice_options(CLI::App& verb, InterpretArguments& a) {
   complete_with(
       verb.add_option(
           "--rows,--by", a.request.rows,
-          "Bins of a scenario descriptor or metric: all, ID (quarters), ID:EDGE,EDGE,..., ID:COUNT "
-          "(equal "
-          "width), ID:qCOUNT (quantiles) or ID:@INDEX, such as density:0,0.1,0.2 or density:q4; "
-          "several separated by ';'"),
+          "Bins of a scenario descriptor or metric: all, ID (quarters), ID:EDGE,EDGE,..., "
+          "ID:COUNT (equal width), ID:qCOUNT (quantiles) or ID:@INDEX, such as density:0,0.1,0.2 "
+          "or density:q4; several separated by ';'"),
       [](const Words&) { return descriptor_ids(); });
   verb.add_option("--scenarios", a.scenarios, "Scenario list with the indexes of --rows");
   complete_with(

@@ -58,9 +58,9 @@ void add_table_options(CLI::App& verb, Arguments& arguments) {
   complete_with(
       verb.add_option("--rows", arguments.rows,
                       "Bins of a scenario descriptor: all, ID (quarters), ID:EDGE,EDGE,..., "
-                      "ID:COUNT (equal width) "
-                      "or ID:qCOUNT (quantiles), such as density:0,0.1,0.2 or density:q4; several "
-                      "separated by ';' (default: the campaign's [analysis])"),
+                      "ID:COUNT (equal width) or ID:qCOUNT (quantiles), such as "
+                      "density:0,0.1,0.2 or density:q4; several separated by ';' (default: the "
+                      "campaign's [analysis])"),
       [](const Words&) { return descriptor_ids(); });
   complete_with(verb.add_option("--columns", arguments.columns,
                                 "Metric ids, comma-separated (default: the campaign's [analysis])"),

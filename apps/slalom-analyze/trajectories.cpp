@@ -4,6 +4,7 @@
 #include "warnings.h"
 
 #include <slalom/analysis/data_table.h>
+#include <slalom/app/output_folder.h>
 #include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/io/find_run.h>
@@ -82,11 +83,7 @@ void write_all(TrajectorySource& source, const TrajectoryArguments& arguments) {
   if (arguments.output.empty() || arguments.output == "-")
     throw usage_error("--output", "missing", "a folder, or --run for a single run");
   const std::filesystem::path folder = arguments.output;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw job_error(arguments.output, "cannot create the folder: " + error.message(),
-                    "a writable path");
+  make_output_folder(arguments.output);
   std::size_t count = 0;
   std::vector<std::string> damaged;
   source.file().for_each_run(

@@ -72,6 +72,7 @@ void show(const ListArguments& arguments) {
 }
 
 void render(const RenderArguments& arguments) {
+  require_picture(arguments.output);
   const Scenario scenario = load_scenario(arguments.list);
   const World world(scenario, arguments.list.resolution);
   const auto& start = scenario.start();
@@ -89,7 +90,6 @@ void write_picture(const Scenario& scenario, const References& references, doubl
   options.max_pixels = pixels;
   options.robot_radius = robot_radius;
   options.references = &references;
-  require_picture(path);
   if (ends_with(path, ".svg"))
     write_file_atomically(path, render_svg(scenario, options));
   else

@@ -38,7 +38,7 @@ void add_robot_options(CLI::App& verb, ListArguments& arguments);
 
 /// Throws Error (Usage) for another name than one in .png or .svg.
 void require_picture(const std::string& path);
-/// Draws a scenario with its reference paths into such a file.
+/// Draws a scenario with its reference paths into a file of which require_picture() holds.
 void write_picture(const Scenario& scenario, const References& references, double robot_radius,
                    int pixels, const std::string& path);
 

@@ -8,7 +8,6 @@ there are read, so that the hash of the commit names the data. Sets without a cl
 JOBS, the number of workers (2); SLALOM_BIN, the folder of the programs.
 """
 
-import ast
 import csv
 import io
 import json
@@ -46,7 +45,7 @@ class Clone:
         return subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout.decode(errors="replace")
 
     def file(self, path, name=None):
-        """A copy of a file, with another name."""
+        """A copy of a file of text, with another name if one is given."""
         copy = self.work / (name or pathlib.Path(path).name)
         copy.parent.mkdir(parents=True, exist_ok=True)
         copy.write_text(self.read(path))

@@ -77,6 +77,31 @@ TEST_F(Export, APaperHasTablesFiguresAndHowTheRunsWereMade) {
   EXPECT_EQ(result.status, 0) << result.out;
 }
 
+TEST_F(Export, BinsOfOneDescriptorHaveFilesOfTheirOwn) {
+  std::string campaign = kSmallCampaign;
+  campaign.insert(campaign.find("density:0,0.05,1"), "density:0,0.02,0.05,1; ");
+  write("slow.ini", campaign +
+                        "[simulation]\nmax_time = auto\ntime_factor = 3\nstuck_distance = 0.5\n"
+                        "[robot]\nmax_v = 1\nmax_accel_v = 1\nmax_w = 0.1\nmax_accel_w = 1\n");
+  ASSERT_EQ(run("slalom-simulate run -c slow.ini -o slow.results --quiet").status, 0);
+  ASSERT_EQ(run("slalom-analyze export slow.results --format csv -o tables --quiet").status, 0);
+  const auto lines = [&](const std::string& file) {
+    const std::string text = read("tables/" + file);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  EXPECT_EQ(lines("nd_by_density.csv"), 1 + 3);
+  EXPECT_EQ(lines("nd_by_density_2.csv"), 1 + 2);
+  if (!has_program("rsvg-convert")) GTEST_SKIP() << "needs the package librsvg2-bin";
+  ASSERT_EQ(run("slalom-analyze export slow.results --format paper -o paper --quiet").status, 0);
+  for (const std::string name : {"nd_by_density", "figure_success_by_density"})
+    EXPECT_NE(read("paper/" + name + ".tex"), read("paper/" + name + "_2.tex")) << name;
+  const std::string text = read("paper/methods.tex");
+  // 1.5 (pi / 0.1 + 0.1 / 1 + 0.5 / 1 + 1 / 1) s without progress
+  for (const char* words :
+       {"after the larger of 60~s and 3 times the earliest possible arrival", "after 49.52~s"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
 TEST_F(Export, TablesOfAllVerbsAreInputOfADocumentOfLatex) {
   std::string document =
       "\\documentclass{article}\\IfFileExists{booktabs.sty}{\\usepackage{booktabs}}{"

@@ -28,14 +28,12 @@ struct LibraryApi {
   const slalom_parameters_api* parameters;
 };
 
-/// Calls `refuse(what, expected)` for a parameter that the method does not declare.
-template <typename Refuse>
-void require_declared(const slalom_method_api& api, const std::string& key, Refuse refuse) {
+/// The expected names in place of a parameter that the method does not declare; empty for others.
+std::string expected_parameter(const slalom_method_api& api, const std::string& key) {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < api.parameter_count; ++i) known.emplace_back(api.parameters[i].key);
-  if (contains(known, key)) return;
-  refuse("unknown parameter of " + std::string(api.name),
-         expected_name(key, known, known.empty() ? "no keys except adapter and plugin" : ""));
+  if (contains(known, key)) return "";
+  return expected_name(key, known, known.empty() ? "no keys except adapter and plugin" : "");
 }
 
 /// A method called through the C function table; keeps the library loaded.
@@ -92,9 +90,9 @@ class LibraryMethod : public Method {
 
   void set_parameter(const std::string& name, const std::string& value) override {
     if (parameters_api_ == nullptr) return Method::set_parameter(name, value);
-    require_declared(api_, name, [&](const std::string& what, const std::string& expected) {
-      throw MethodError(what + ": '" + name + "'; expected " + expected);
-    });
+    if (const std::string expected = expected_parameter(api_, name); !expected.empty())
+      throw MethodError("unknown parameter of " + std::string(api_.name) + ": '" + name +
+                        "'; expected " + expected);
     if (parameters_api_->set_parameter(method_, name.c_str(), value.c_str()) != 0)
       throw MethodError(std::string(api_.name) + " does not take " + name + " = " + value +
                         " during a run");
@@ -226,10 +224,9 @@ class LibraryLoader {
   /// Throws for a parameter that the method does not declare.
   void check_parameters(const slalom_method_api& api) const {
     for (const auto& parameter : options_.parameters)
-      require_declared(api, parameter.first,
-                       [&](const std::string& what, const std::string& expected) {
-                         throw usage_error(where_(parameter.first), what, expected);
-                       });
+      if (const std::string expected = expected_parameter(api, parameter.first); !expected.empty())
+        throw usage_error(where_(parameter.first), "unknown parameter of " + std::string(api.name),
+                          expected);
   }
 
   void* create(const slalom_method_api& api, const RobotModel& robot_model,

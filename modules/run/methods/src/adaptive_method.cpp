@@ -33,10 +33,10 @@ class AdaptiveMethod : public Method {
   }
   Command step(const Observation& observation) override {
     for (const auto& [name, value] : outer_->adapt(observation)) {
-      const auto known = set_.find(name);
-      if (known != set_.end() && known->second == value) continue;
+      const auto [known, is_first] = set_.try_emplace(name);
+      if (!is_first && known->second == value) continue;
+      known->second = value;  // also where it fails in part, so that the next run begins anew
       inner_->set_parameter(name, value);
-      set_[name] = value;
     }
     return inner_->step(observation);
   }

@@ -85,6 +85,21 @@ TEST(AdaptiveMethod, BeginsEachRunWithTheParametersOfTheInnerMethod) {
   EXPECT_EQ(run_for(*method, 2), (std::vector<double>{1, 2}));
 }
 
+/// Takes a part of the value before it fails.
+class Partial : public Gain {
+ public:
+  void set_parameter(const std::string& name, const std::string& value) override {
+    Gain::set_parameter(name, value);
+    throw MethodError("half done");
+  }
+};
+
+TEST(AdaptiveMethod, BeginsEachRunAnewAfterAParameterThatFailedInPart) {
+  const auto method = adaptive_method(made<Schedule>(), made<Partial>(), "here")({}, {});
+  EXPECT_THROW(run_for(*method, 2), MethodError);
+  EXPECT_EQ(run_for(*method, 1), std::vector<double>{1});
+}
+
 TEST(AdaptiveMethod, NeedsWhatEitherNeedsAndIsTunedByTheOuterOne) {
   const auto method = adaptive_method(made<Schedule>(), made<Gain>(), "here")({}, {});
   EXPECT_TRUE(method->uses_tracks());
