@@ -110,14 +110,30 @@ void define_verb(CLI::App& app, const Interpreter& interpreter) {
   verb->callback([arguments, &interpreter, verb] {
     if (verb->count("--csv") > 0) resolve_csv_option(*arguments);
     choose_format(*arguments);
-    interpret_verb(*arguments, interpreter);
+    const Interpreter* chosen = &interpreter;
+    for (const Interpreter& other : all_interpreters())
+      if (is_option_of(other, interpreter.id) && verb->count("--" + other.id) > 0) chosen = &other;
+    interpret_verb(*arguments, *chosen);
+  });
+}
+
+/// Answers the name of an option as a verb.
+void define_former_verb(CLI::App& app, const Interpreter& interpreter) {
+  CLI::App* verb = app.add_subcommand(interpreter.id, interpreter.help)->group("");
+  verb->allow_extras()->set_help_flag();
+  verb->callback([&interpreter] {
+    throw usage_error(interpreter.id, "is now an option",
+                      "slalom-analyze " + interpreter.verb + " --" + interpreter.id);
   });
 }
 
 }  // namespace
 
 void define_interpreters(CLI::App& app) {
-  for (const Interpreter& interpreter : all_interpreters()) define_verb(app, interpreter);
+  for (const Interpreter& interpreter : all_interpreters()) {
+    const bool is_verb = interpreter.verb == interpreter.id;
+    (is_verb ? define_verb : define_former_verb)(app, interpreter);
+  }
 }
 
 }  // namespace slalom

@@ -48,6 +48,24 @@ int default_jobs() {
   return std::min(available_cores(), 8);
 }
 
+/// Adds the options that are another analysis.
+void add_other_interpreters(CLI::App& verb, const std::string& id) {
+  std::vector<CLI::Option*> added;
+  for (const Interpreter& other : all_interpreters()) {
+    if (!is_option_of(other, id)) continue;
+    CLI::Option* option = verb.add_flag("--" + other.id, other.help);
+    for (CLI::Option* one : added) option->excludes(one);
+    added.push_back(option);
+  }
+}
+
+/// The options of the verb that its other analyses do not use.
+void exclude(CLI::App& verb, const std::vector<const char*>& analyses,
+             const std::vector<const char*>& options) {
+  for (const char* analysis : analyses)
+    for (const char* option : options) verb.get_option(analysis)->excludes(verb.get_option(option));
+}
+
 void add_special_options(CLI::App& verb, InterpretArguments& a, const std::string& id) {
   if (id == "compare") {
     complete_with(verb.add_option("--baseline", a.request.baseline,
@@ -61,10 +79,13 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
     add_choice(verb, "--gate-on", a.request.gate_on, "Quantity that must satisfy the limit")
         ->default_str(to_string(a.request.gate_on));
   }
-  if (id == "robustness") {
+  if (id == "history") {
+    CLI::Option* robustness = verb.get_option("--robustness");
     verb.add_option("--parameter", a.request.parameter,
-                    "Swept parameter: SECTION.KEY of the campaigns' .ini");
-    verb.add_option("--values", a.request.values, "Its values, one per file, comma-separated");
+                    "Swept parameter: SECTION.KEY of the campaigns' .ini")
+        ->needs(robustness);
+    verb.add_option("--values", a.request.values, "Its values, one per file, comma-separated")
+        ->needs(robustness);
   }
   if (id == "table") {
     verb.add_option_function<std::string>(
@@ -80,7 +101,7 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
                     "tables do not depend on their number")
         ->default_str("");
   }
-  if (id == "compare" || id == "robustness" || id == "history") {
+  if (id == "compare" || id == "history") {
     add_comparison_options(verb, a);
     verb.add_flag(
         "--despite-settings", a.request.despite_settings,
@@ -91,9 +112,17 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
     verb.add_flag("--html", a.html, "Print one HTML page")->excludes(latex)->group("");
     latex->group("");
   }
+  if (id == "compare")
+    exclude(verb, {"--ranks", "--profile"},
+            {"--baseline", "--gate", "--gate-on", "--relevant", "--power", "--despite-settings"});
+  if (id == "table") exclude(verb, {"--map", "--failures"}, {"--methods-as"});
 }
 
 }  // namespace
+
+bool is_option_of(const Interpreter& interpreter, const std::string& verb) {
+  return interpreter.verb == verb && interpreter.id != verb;
+}
 
 void add_interpreter_options(CLI::App& verb, InterpretArguments& arguments,
                              const Interpreter& interpreter) {
@@ -101,6 +130,7 @@ void add_interpreter_options(CLI::App& verb, InterpretArguments& arguments,
       "results", arguments.files,
       "Result files (.results), folders with the shards of a campaign, or tables (.csv)");
   add_choice_options(verb, arguments);
+  add_other_interpreters(verb, interpreter.id);
   add_special_options(verb, arguments, interpreter.id);
   verb.add_option("--csv", arguments.csv_file,
                   "Print CSV; with a CSV file: read it instead of results")

@@ -3,6 +3,7 @@
 
 #include <slalom/analysis/analysis_request.h>
 #include <slalom/analysis/csv_columns.h>
+#include <slalom/analysis/interpreter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +24,9 @@ struct InterpretArguments {
   bool methods_as_columns = false;
   int jobs = 1;  ///< threads that read shards
 };
+
+/// Whether the interpreter is an option of the verb.
+bool is_option_of(const Interpreter& interpreter, const std::string& verb);
 
 /// Adds the options of the verb.
 void add_interpreter_options(CLI::App& verb, InterpretArguments& arguments,

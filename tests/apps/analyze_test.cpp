@@ -172,9 +172,9 @@ TEST_F(Analyze, ComparesMethodsInEveryFormat) {
 }
 
 TEST_F(Analyze, EveryVerbTakesAMethodAndRefusesOneThatIsNotThere) {
-  for (const std::string verb :
-       {"summary", "table", "map --rows 'density:2;clearness:2'", "compare", "ranks", "profile",
-        "completion", "failures", "validity"}) {
+  for (const std::string verb : {"summary", "table", "table --map --rows 'density:2;clearness:2'",
+                                 "compare", "compare --ranks", "compare --profile", "completion",
+                                 "table --failures", "difficulty --validity"}) {
     const std::string command = "slalom-analyze " + verb + " runs.results --method ";
     expect_failure(command + "nothing_like_it", 2, {"nothing_like_it", "gap, nd"});
     expect_failure(command + "gapp", 2, {"gapp", "'gap'"});
@@ -198,8 +198,9 @@ TEST_F(Analyze, GatesDecideTheExitStatus) {
 }
 
 TEST_F(Analyze, EveryVerbSucceedsOrFailsWithOneLine) {
-  for (const char* verb : {"summary", "failures", "completion", "profile", "ranks --metric spl",
-                           "validity", "map --rows 'density:2;clearness:2'"}) {
+  for (const char* verb : {"summary", "table --failures", "completion", "compare --profile",
+                           "compare --ranks --metric spl", "difficulty --validity",
+                           "table --map --rows 'density:2;clearness:2'"}) {
     const std::string command = std::string("slalom-analyze ") + verb + " runs.results ";
     const ProgramResult text = run(command);
     EXPECT_EQ(text.status, 0) << command << text.err;
@@ -208,21 +209,38 @@ TEST_F(Analyze, EveryVerbSucceedsOrFailsWithOneLine) {
     EXPECT_NE(run(command + "--csv").out.find(','), std::string::npos) << command;
   }
   expect_failure("slalom-analyze summary runs.results runs.results", 2, {"one result file"});
-  expect_failure("slalom-analyze map runs.results --rows density:2", 2, {"two descriptors"});
+  expect_failure("slalom-analyze table --map runs.results --rows density:2", 2,
+                 {"two descriptors"});
   // Both methods solve the same of four scenarios.
   expect_failure("slalom-analyze difficulty runs.results", 2, {"no two methods", "expected more"});
   EXPECT_EQ(run("slalom-analyze table runs.results --rows density").out,
             run("slalom-analyze table runs.results --rows density:q4").out);
   expect_failure("slalom-analyze table runs.results --rows densty", 2, {"'densty'", "'density'"});
-  expect_failure("slalom-analyze robustness runs.results runs.results --parameter sensor.rays", 2,
-                 {"sensor.rays", "--values"});
-  expect_failure("slalom-analyze robustness runs.results runs.results --values 1,1", 2,
+  expect_failure(
+      "slalom-analyze history --robustness runs.results runs.results --parameter sensor.rays", 2,
+      {"sensor.rays", "--values"});
+  expect_failure("slalom-analyze history --robustness runs.results runs.results --values 1,1", 2,
                  {"--parameter"});
 }
 
+TEST_F(Analyze, NamesTheOptionThatAFormerVerbIs) {
+  for (const auto& [former, now] : {std::pair{"map", "table --map"},
+                                    {"failures", "table --failures"},
+                                    {"ranks", "compare --ranks"},
+                                    {"profile", "compare --profile"},
+                                    {"validity", "difficulty --validity"},
+                                    {"robustness", "history --robustness"}})
+    expect_failure("slalom-analyze " + std::string(former) + " runs.results --rows all", 2,
+                   {"is now", now});
+  expect_failure("slalom-analyze compare --ranks --gate 'success >= 0' runs.results", 2,
+                 {"--gate", "--ranks"});
+  expect_failure("slalom-analyze table --map --failures runs.results", 2, {"--map", "--failures"});
+}
+
 TEST_F(Analyze, RobustnessTakesValuesFromTheCommandLine) {
-  const ProgramResult result = run(
-      "slalom-analyze robustness runs.results runs.results --parameter noise --values 0,1 --csv");
+  const ProgramResult result =
+      run("slalom-analyze history --robustness runs.results runs.results --parameter noise "
+          "--values 0,1 --csv");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.out.rfind("noise,source,success,", 0), 0u) << result.out;
   const std::string header = result.out.substr(0, result.out.find('\n'));
@@ -298,9 +316,10 @@ TEST_F(Analyze, AnImportedTableHasTheNumbersOfTheTable) {
             "not used: note (line 2: 'text' is not a number)\n"
             "foreign.results: 60 runs of 2 methods in 10 scenarios, 3 columns of numbers\n");
   for (const std::string verb :
-       {"summary", "table --rows time:0,12,30", "map --rows 'time:0,12,30;Path Length:0,4,9'",
-        "compare --metric time", "ranks --metric success", "profile --metric time", "completion",
-        "failures", "validity", "difficulty"}) {
+       {"summary", "table --rows time:0,12,30",
+        "table --map --rows 'time:0,12,30;Path Length:0,4,9'", "compare --metric time",
+        "compare --ranks --metric success", "compare --profile --metric time", "completion",
+        "table --failures", "difficulty --validity", "difficulty"}) {
     for (const std::string format : {"", " --json", " --csv"}) {
       const ProgramResult there = run("slalom-analyze " + verb +
                                       " foreign.csv --down time,'Path Length'" + format),
@@ -503,7 +522,7 @@ TEST_F(Analyze, AFolderOfShardsHasTheTablesOfTheMergedFile) {
                   .status,
               0);
   ASSERT_EQ(run("slalom-simulate merge shards -o all.results").status, 0);
-  for (const std::string verb : {"table", "table --csv", "compare --json", "failures"}) {
+  for (const std::string verb : {"table", "table --csv", "compare --json", "table --failures"}) {
     const ProgramResult folder = run("slalom-analyze " + verb + " shards");
     EXPECT_EQ(folder.status, 0) << folder.err;
     EXPECT_EQ(folder.out, run("slalom-analyze " + verb + " all.results").out) << verb;

@@ -43,9 +43,8 @@ int fail(const std::string& program, const std::string& message, int status) {
 /// The names of the verbs; empty for a program without verbs.
 std::vector<std::string> verbs(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(verb->get_name());
-  }
+  const auto is_listed = [](const CLI::App* verb) { return !verb->get_group().empty(); };
+  for (const CLI::App* verb : app.get_subcommands(is_listed)) names.push_back(verb->get_name());
   return names;
 }
 

@@ -44,7 +44,8 @@ struct Interpretation {
 /// are also available as a plain struct from a separate function (build_summary(),
 /// compare_methods(), ...), for reports.
 struct Interpreter {
-  std::string id;    ///< the verb: "compare"
+  std::string id;    ///< "ranks"
+  std::string verb;  ///< "compare"; if it is not the id, that is an option of the verb: --ranks
   std::string help;  ///< one line
   /// Throws Error (Usage) for ids that are not in the results.
   Interpretation (*interpret)(const std::vector<ResultTable>& results, const AnalysisQuery& query);
