@@ -4,6 +4,7 @@
 #include "warnings.h"
 
 #include <slalom/analysis/bins.h>
+#include <slalom/analysis/common_scenarios.h>
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/summary.h>
 #include <slalom/app/campaign_names.h>
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -32,11 +34,37 @@ namespace {
 
 struct FigureArguments {
   std::string results, output, profile, ranks, cell, scenario, animate, method;
-  std::string metric, by, box, distribution, scatter;
-  bool outcomes = false, difficulty = false;
-  int count = 12, columns = 3, pixels = 320;
+  std::string metric, by, box, distribution, scatter, labels;
+  bool outcomes = false, difficulty = false, common = false;
+  int count = 12, pixels = 0;
+  FigureStyle style;
   bool quiet = false;
 };
+
+using Labels = std::map<std::string, std::string>;
+
+Labels read_labels(const std::string& text, const std::vector<std::string>& methods) {
+  Labels labels;
+  for (const std::string& item : split(text, ',')) {
+    const std::size_t equal = item.find('=');
+    const std::string method = trim(item.substr(0, equal));
+    const std::string label = equal == std::string::npos ? "" : trim(item.substr(equal + 1));
+    if (label.empty()) throw usage_error("--labels", "'" + item + "' has no label", "METHOD=LABEL");
+    if (!contains(methods, method))
+      throw usage_error("--labels", "no runs of '" + method + "'", expected_name(method, methods));
+    if (!labels.emplace(method, label).second)
+      throw usage_error("--labels", "'" + method + "' is labeled twice", "one label per method");
+  }
+  std::set<std::string> shown;
+  for (const std::string& method : methods) {
+    const auto found = labels.find(method);
+    const std::string& label = found == labels.end() ? method : found->second;
+    if (!shown.insert(label).second)
+      throw usage_error("--labels", "two methods would be called '" + label + "'",
+                        "a label of its own for each method");
+  }
+  return labels;
+}
 
 /// Draws runs of a result file.
 class RunFigures {
@@ -85,6 +113,7 @@ class RunFigures {
     const Trajectory trajectory = file_.read_trajectory(run);
     const References references = file_.read_references(run.scenario_hash);
     SceneOptions options = scene_options();
+    if (options.max_pixels == 0) options.max_pixels = 320;
     options.references = &references;
     options.trajectories.push_back(drawn(run));
     const Scenario scenario = file_.read_scenario(run.scenario_hash);
@@ -130,7 +159,9 @@ class RunFigures {
         if (arguments_.method.empty() || run.method == arguments_.method)
           figures.back().options.trajectories.push_back(drawn(run));
     }
-    return scenario_figure(figures, static_cast<std::size_t>(arguments_.columns));
+    FigureStyle style = arguments_.style;
+    style.labels = read_labels(arguments_.labels, runs_.methods);
+    return scenario_figure(figures, style);
   }
 
   const FigureArguments& arguments_;
@@ -140,11 +171,11 @@ class RunFigures {
 };
 
 std::string metric_by_bins(const ResultTable& runs, const FigureArguments& arguments,
-                           const AnalysisOptions& options) {
+                           const AnalysisOptions& options, const FigureStyle& style) {
   const std::vector<BinSpec> by = parse_bin_specs(arguments.by, "--by");
   if (by.size() == 1) {
     const auto tables = build_cross_tables(runs, by, {arguments.metric}, options);
-    return bins_figure(tables, tables.front().columns.front());
+    return bins_figure(tables, tables.front().columns.front(), style);
   }
   if (by.size() != 2)
     throw usage_error("--by", "has " + count_text(by.size(), "descriptor"),
@@ -152,7 +183,25 @@ std::string metric_by_bins(const ResultTable& runs, const FigureArguments& argum
   std::vector<DescriptorMap> maps;
   for (const std::string& method : runs.methods)
     maps.push_back(build_descriptor_map(runs, method, by[0], by[1], arguments.metric, options));
-  return map_figure(maps);
+  return map_figure(maps, style);
+}
+
+/// Keeps the runs in the scenarios in which all runs of all methods have the metric that is drawn.
+void keep_common_scenarios(ResultTable& runs, const FigureArguments& arguments) {
+  std::string id;
+  for (const std::string* metric : {&arguments.metric, &arguments.box, &arguments.distribution})
+    if (!metric->empty()) id = *metric;
+  if (id.empty()) throw usage_error("--common", "needs a metric", "--metric, --box or --ecdf");
+  const Column column = resolve_columns(runs, {id}).front();
+  const std::vector<bool> common = find_common_scenarios(runs, *find_metric(runs, column.info.id));
+  const auto count = static_cast<std::size_t>(std::count(common.begin(), common.end(), true));
+  if (count == 0)
+    throw usage_error("--common", "no scenario in which every run has " + column.info.id,
+                      "a metric that all methods have in some scenario");
+  if (!arguments.quiet)
+    std::cerr << "in " << count << " of " << count_text(common.size(), "scenario")
+              << ", where every run has " << column.info.id << "\n";
+  keep_runs_in(runs, common);
 }
 
 std::string figure(const FigureArguments& arguments) {
@@ -161,21 +210,26 @@ std::string figure(const FigureArguments& arguments) {
   if (!arguments.animate.empty()) return RunFigures(arguments).animated();
   ResultTable runs = read_results(arguments.results);
   warn_of_missing(arguments.results, runs);
+  FigureStyle style = arguments.style;
+  style.labels = read_labels(arguments.labels, runs.methods);
   mark_privileged(runs);
   const AnalysisOptions options = report_options(runs).analysis;
-  if (!arguments.metric.empty()) return metric_by_bins(runs, arguments, options);
-  if (arguments.outcomes) return outcome_figure(build_summary(runs, {"success"}, options));
+  if (arguments.common) keep_common_scenarios(runs, arguments);
+  if (!arguments.metric.empty()) return metric_by_bins(runs, arguments, options, style);
+  if (arguments.outcomes) return outcome_figure(build_summary(runs, {"success"}, options), style);
   if (arguments.difficulty)
-    return difficulty_figure(build_difficulty(runs, "success", options), runs.methods);
-  if (!arguments.box.empty()) return box_figure(runs, arguments.box);
-  if (!arguments.distribution.empty()) return distribution_figure(runs, arguments.distribution);
+    return difficulty_figure(build_difficulty(runs, "success", options), runs.methods, style);
+  if (!arguments.box.empty()) return box_figure(runs, arguments.box, style);
+  if (!arguments.distribution.empty())
+    return distribution_figure(runs, arguments.distribution, style);
   if (!arguments.scatter.empty()) {
     const std::vector<std::string> ids = split(arguments.scatter, ',');
     if (ids.size() != 2) throw usage_error("--scatter", "is not two ids", "X,Y");
-    return scatter_figure(runs, ids[0], ids[1]);
+    return scatter_figure(runs, ids[0], ids[1], style);
   }
-  if (!arguments.profile.empty()) return profile_figure(build_profiles(runs, arguments.profile));
-  return rank_figure(build_method_ranks(runs, arguments.ranks, options));
+  if (!arguments.profile.empty())
+    return profile_figure(build_profiles(runs, arguments.profile), style);
+  return rank_figure(build_method_ranks(runs, arguments.ranks, options), style);
 }
 
 void run(const FigureArguments& arguments) {
@@ -225,12 +279,18 @@ void define_figure(CLI::App& app) {
   verb->add_option("--count", arguments.count, "With --cell: at most this number of scenarios")
       ->check(in_range(1, 200))
       ->capture_default_str();
-  verb->add_option("--columns", arguments.columns, "With --cell: pictures per row")
-      ->check(in_range(1, 20))
+  verb->add_option("--pixels", arguments.pixels,
+                   "Longer side of a scenario, pixels (default: as --width has room, else 320)")
+      ->check(in_range(16, 10000));
+  verb->add_flag("--common", arguments.common,
+                 "With --metric, --box or --ecdf: only scenarios in which every run has a value");
+  verb->add_option("--width", arguments.style.width, "Width of the figure, mm")
+      ->check(in_range(30, 1000));
+  verb->add_option("--font-size", arguments.style.font_size, "Size of the text, points")
+      ->check(in_range(4, 40))
       ->capture_default_str();
-  verb->add_option("--pixels", arguments.pixels, "Longer side of a scenario, pixels")
-      ->check(in_range(16, 10000))
-      ->capture_default_str();
+  verb->add_option("--labels", arguments.labels,
+                   "What methods are called, METHOD=LABEL,..., such as nd='ND [12]'");
   verb->add_option("-o,--output", arguments.output,
                    "A .svg file, or .pdf or .png (need rsvg-convert of the package librsvg2-bin)")
       ->required();

@@ -108,7 +108,7 @@ TEST_F(Export, TablesOfAllVerbsAreInputOfADocumentOfLatex) {
       "\\let\\toprule\\hline\\let\\midrule\\hline\\let\\bottomrule\\hline}"
       "\\begin{document}\n";
   for (const std::string verb :
-       {"summary", "table --by density:2", "table --failures", "completion"}) {
+       {"summary", "table --by density:2", "compare --ranks", "completion"}) {
     const std::string file = verb.substr(0, verb.find(' ')) + ".tex";
     ASSERT_EQ(run("slalom-analyze " + verb + " runs.results -o " + file).status, 0) << verb;
     document += "\\input{" + file + "}\n";
@@ -250,6 +250,29 @@ TEST_F(Export, FiguresOfEachKindAreDrawn) {
   EXPECT_NE(draw("--ranks path_length").find("CD = "), std::string::npos);
 }
 
+TEST_F(Export, FiguresHaveTheWidthLabelsAndCommonScenariosThatAreAsked) {
+  const std::string figure = "slalom-analyze figure runs.results -o figure.svg ";
+  const ProgramResult drawn =
+      run(figure + "--box time_to_goal --common --width 88 --font-size 8 --labels nd='ND [12]'");
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  std::map<std::string, std::size_t> solved;  // runs with the metric, by scenario
+  std::istringstream dump(run("slalom-analyze dump runs.results").out);
+  for (std::string line; std::getline(dump, line);) {
+    const auto one = nlohmann::json::parse(line);
+    if (one["metrics"]["time_to_goal"].contains("value")) ++solved[one["scenario"]["hash"]];
+  }
+  const auto common =
+      std::count_if(solved.begin(), solved.end(), [](const auto& one) { return one.second == 2; });
+  const std::string n = std::to_string(common);
+  EXPECT_NE(drawn.err.find("in " + n + " of 4 scenarios"), std::string::npos) << drawn.err;
+  const std::string svg = read("figure.svg");
+  EXPECT_NE(svg.find(">ND [12] (n = " + n + " of " + n + ")<"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("width=\"88.00mm\""), std::string::npos);
+  EXPECT_EQ(run(figure + "--cell density:0,1 --labels nd=ND,gap=Gap --quiet").err, "");
+  for (const char* name : {"ND", "Gap"})
+    EXPECT_EQ(count(read("figure.svg"), ">" + std::string(name) + "</text>"), 1U);
+}
+
 TEST_F(Export, FiguresAsPdfAndPngAreThoseOfRsvgConvert) {
   if (!has_program("rsvg-convert")) GTEST_SKIP() << "needs the package librsvg2-bin";
   EXPECT_EQ(run("slalom-analyze figure runs.results --outcomes -o a.png --quiet").status, 0);
@@ -274,6 +297,11 @@ TEST_F(Export, FiguresRejectInvalidArguments) {
   expect_failure(figure + "--cell density:2,3 -o x.svg", 2, {"--cell", "no runs"});
   expect_failure(figure + "--scenario none -o x.svg", 2, {"--scenario", "no such scenario"});
   expect_failure(figure + "--cell density:0,1 --method dn -o x.svg", 2, {"--method", "nd"});
+  expect_failure(figure + "--outcomes --labels dn=ND -o x.svg", 2, {"--labels", "nd"});
+  expect_failure(figure + "--outcomes --labels nd -o x.svg", 2, {"--labels", "METHOD=LABEL"});
+  expect_failure(figure + "--outcomes --labels nd=gap -o x.svg", 2, {"--labels", "'gap'"});
+  expect_failure(figure + "--outcomes --common -o x.svg", 2, {"--common", "--box"});
+  expect_failure(figure + "--outcomes --width 10 -o x.svg", 2, {"--width", "30"});
   expect_failure(figure + "--animate 00000000/nd/0 -o x.pdf", 2, {"--output", "animation"});
   expect_failure("PATH=\"" + kPrograms + "\" " + figure + "--ranks path_length -o x.pdf", 1,
                  {"rsvg-convert", "librsvg2-bin"});

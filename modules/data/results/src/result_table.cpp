@@ -37,12 +37,12 @@ bool is_inconclusive(const std::string& outcome) {
 template <typename T>
 void reorder_values(std::vector<T>& values, const std::vector<std::size_t>& order) {
   std::vector<T> result;
-  result.reserve(values.size());
+  result.reserve(order.size());
   for (const std::size_t index : order) result.push_back(std::move(values[index]));
   values = std::move(result);
 }
 
-/// Reorders runs: i gets what order[i] was.
+/// Reorders runs: i gets what order[i] was; those that it does not name are lost.
 void reorder_runs(ResultTable& columns, const std::vector<std::size_t>& order) {
   for (auto* values : {&columns.scenario, &columns.method, &columns.outcome, &columns.repetition}) {
     reorder_values(*values, order);
@@ -189,6 +189,13 @@ void sort_rows(ResultTable& columns) {
   for (std::size_t i = 0; i < scenarios; ++i) rank[by_name[i]] = i;
   if (const auto order = order_of_runs(columns, rank); !order.empty()) reorder_runs(columns, order);
   reorder_scenarios(columns, by_name);
+}
+
+void keep_runs_in(ResultTable& columns, const std::vector<bool>& scenarios) {
+  std::vector<std::size_t> kept;
+  for (std::size_t run = 0; run < columns.size(); ++run)
+    if (scenarios[columns.scenario[run]]) kept.push_back(run);
+  if (kept.size() < columns.size()) reorder_runs(columns, kept);
 }
 
 ValueColumn wall_clock_column(const std::string& id) {

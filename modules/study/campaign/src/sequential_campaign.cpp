@@ -59,19 +59,6 @@ std::vector<std::string> ids_of(const PrecisionRule& rule) {
   return {rule.metric, rule.rows.descriptor};
 }
 
-/// Keeps only the runs in these scenarios: a file that is continued holds runs of later batches.
-void keep_scenarios(ResultTable& table, const std::set<std::string>& hashes) {
-  std::vector<std::size_t> kept;
-  for (std::size_t run = 0; run < table.size(); ++run)
-    if (hashes.count(table.scenario_hashes[table.scenario[run]]) > 0) kept.push_back(run);
-  if (kept.size() == table.size()) return;
-  for (auto* column : {&table.scenario, &table.method, &table.outcome, &table.repetition}) {
-    for (std::size_t i = 0; i < kept.size(); ++i) (*column)[i] = (*column)[kept[i]];
-    column->resize(kept.size());
-  }
-  for (ValueColumn& metric : table.metrics) metric.reorder(kept);
-}
-
 /// Whether each bin is open: some method has not reached the required precision.
 std::vector<bool> open_bins(const std::vector<PrecisionCell>& cells, std::size_t bins) {
   std::vector<bool> open(bins, false);
@@ -127,7 +114,11 @@ class InterimAnalyses {
 
   ResultTable read(const std::vector<std::string>& ids, const std::vector<std::string>& hashes) {
     ResultTable results = read_results(recorder_.file().path(), ids);
-    keep_scenarios(results, {hashes.begin(), hashes.end()});
+    const std::set<std::string> analyzed(hashes.begin(), hashes.end());
+    std::vector<bool> kept;  // a file that is continued holds runs of later batches
+    for (const std::string& hash : results.scenario_hashes)
+      kept.push_back(analyzed.count(hash) > 0);
+    keep_runs_in(results, kept);
     ++count_;
     runs_ = results.size();
     return results;

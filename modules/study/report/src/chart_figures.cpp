@@ -16,11 +16,12 @@ namespace slalom {
 namespace {
 
 using svg::document;
+using svg::kLine;
 using svg::kMargin;
+using svg::Plot;
 using svg::segment;
 using svg::text;
-
-constexpr double kWidth = 360, kHeight = 240, kLegend = 180, kLine = 18;  // pixels
+using svg::width_of_text;
 
 /// The values between the ends of an axis.
 struct Axis {
@@ -64,46 +65,24 @@ std::string label_of(const QuantityInfo& info) {
   return info.name + (info.unit == "-" || info.unit.empty() ? "" : " [" + info.unit + "]");
 }
 
-double x_at(double part) {
-  return kMargin + kWidth * part;
-}
-double y_at(double part) {
-  return kMargin + kHeight * (1 - part);
-}
-
-std::string frame(const std::string& x_label, const std::string& y_label) {
-  return segment(x_at(0), y_at(0), x_at(1), y_at(0)) + segment(x_at(0), y_at(0), x_at(0), y_at(1)) +
-         text(x_at(0.5), y_at(0) + 48, "middle", x_label) +
-         text(10, kMargin - 16, "start", y_label);
-}
-
-std::string x_ticks(const Axis& axis) {
+std::string x_ticks(const Plot& plot, const Axis& axis) {
   std::string content;
   for (const double value : axis.ticks())
-    content += segment(x_at(axis.part(value)), y_at(0), x_at(axis.part(value)), y_at(0) + 5) +
-               text(x_at(axis.part(value)), y_at(0) + 18, "middle", fmt::format("{:.3g}", value));
+    content += plot.x_tick(axis.part(value), fmt::format("{:.3g}", value));
   return content;
 }
 
-std::string y_ticks(const Axis& axis) {
+std::string y_ticks(const Plot& plot, const Axis& axis) {
   std::string content;
   for (const double value : axis.ticks())
-    content += segment(x_at(0) - 5, y_at(axis.part(value)), x_at(0), y_at(axis.part(value))) +
-               text(x_at(0) - 8, y_at(axis.part(value)) + 4, "end", fmt::format("{:.3g}", value));
+    content += plot.y_tick(axis.part(value), fmt::format("{:.3g}", value));
   return content;
 }
 
-double legend_at(std::size_t index) {
-  return kMargin + kLine * static_cast<double>(index);
-}
-std::string legend(std::size_t index, const std::string& name, const std::string& color) {
-  const double left = x_at(1) + 15, top = legend_at(index);
+std::string legend(const Plot& plot, std::size_t index, const std::string& name,
+                   const std::string& color) {
+  const auto [left, top] = plot.legend(index);
   return segment(left, top, left + 20, top, 3, color) + text(left + 26, top + 4, "start", name);
-}
-
-std::string chart(const std::string& content, std::size_t legends) {
-  const double lines = kMargin + kLine * static_cast<double>(legends);
-  return document(x_at(1) + kLegend, std::max(kHeight + 2 * kMargin, lines), content);
 }
 
 std::string point(double x, double y, double radius, const std::string& color, double opacity = 1) {
@@ -126,13 +105,14 @@ std::string mean_point(double x, double y, const Cell& cell, std::size_t index) 
       is_survivors_only(cell.n, cell.available) ? "#ffffff" : color, color, cell.available, cell.n);
 }
 
-/// Numbers of values in a category: one of all methods, else one of each, or their range.
-std::string counts_text(const std::vector<std::size_t>& counts) {
+/// Numbers of values in a category: one of all methods, else one of each if there is room, or their
+/// range.
+std::string counts_text(const std::vector<std::size_t>& counts, double room) {
   if (counts.empty()) return "";
   const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
   if (*low == *high) return fmt::format("n = {}", *low);
-  return counts.size() <= 4 ? fmt::format("n = {}", fmt::join(counts, ", "))
-                            : fmt::format("n = {} to {}", *low, *high);
+  const std::string each = fmt::format("n = {}", fmt::join(counts, ", "));
+  return width_of_text(each) <= room ? each : fmt::format("n = {} to {}", *low, *high);
 }
 
 /// The colors of outcomes in reports.
@@ -178,7 +158,8 @@ struct CellLine {
 /// Estimates with their intervals over categories, a line per method.
 std::string lines_figure(const QuantityInfo& info, const std::string& x_label,
                          const std::vector<std::string>& categories,
-                         const std::vector<CellLine>& lines) {
+                         const std::vector<CellLine>& lines, const FigureStyle& style) {
+  const Plot plot(style);
   std::vector<double> ends;
   for (const CellLine& line : lines)
     for (const Cell* cell : line.cells) {
@@ -187,41 +168,51 @@ std::string lines_figure(const QuantityInfo& info, const std::string& x_label,
       if (cell->interval) ends.insert(ends.end(), {cell->interval->low, cell->interval->high});
     }
   const Axis axis = axis_of(info, ends);
+  const double room = plot.width() / static_cast<double>(categories.size());
   const auto x_of = [&](std::size_t category) {
-    return x_at((static_cast<double>(category) + 0.5) / static_cast<double>(categories.size()));
+    return plot.x(0) + room * (static_cast<double>(category) + 0.5);
   };
-  std::string content = frame(x_label, label_of(info)) + y_ticks(axis);
+  const bool broken = std::any_of(categories.begin(), categories.end(),
+                                  [&](const auto& label) { return width_of_text(label) > room; });
+  std::string content = plot.frame(x_label, label_of(info), broken ? 3 : 2) + y_ticks(plot, axis);
   bool any_hollow = false;
   for (std::size_t i = 0; i < categories.size(); ++i) {
     std::vector<std::size_t> counts;
     for (const CellLine& line : lines)
       if (line.cells[i] != nullptr) counts.push_back(line.cells[i]->available);
-    content += text(x_of(i), y_at(0) + 18, "middle", categories[i]) +
-               text(x_of(i), y_at(0) + 32, "middle", counts_text(counts));
+    const std::size_t end = broken ? std::min(categories[i].find(' '), categories[i].size()) : 0;
+    double y = plot.y(0) + 18;
+    for (const std::string& part :
+         {categories[i].substr(0, end), categories[i].substr(end), counts_text(counts, room - 6)}) {
+      if (part.empty()) continue;
+      content += text(x_of(i), y, "middle", trim(part));
+      y += 14;
+    }
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     // Beside each other, so that intervals do not hide each other.
-    const double shift = 5 * (static_cast<double>(i) - static_cast<double>(lines.size() - 1) / 2);
+    const double shift = std::min(5.0, room / static_cast<double>(lines.size() + 1)) *
+                         (static_cast<double>(i) - static_cast<double>(lines.size() - 1) / 2);
     const std::string color = method_color(i);
     std::string points, marks;
     for (std::size_t at = 0; at < lines[i].cells.size(); ++at) {
       const Cell* const cell = lines[i].cells[at];
       if (cell == nullptr) continue;
-      const double x = x_of(at) + shift, y = y_at(axis.part(*cell->estimate));
+      const double x = x_of(at) + shift, y = plot.y(axis.part(*cell->estimate));
       points += fmt::format("{:.1f},{:.1f} ", x, y);
       if (cell->interval)
-        marks += segment(x, y_at(axis.part(cell->interval->low)), x,
-                         y_at(axis.part(cell->interval->high)), 1.2, color);
+        marks += segment(x, plot.y(axis.part(cell->interval->low)), x,
+                         plot.y(axis.part(cell->interval->high)), 1.2, color);
       marks += mean_point(x, y, *cell, i);
       any_hollow = any_hollow || is_survivors_only(cell->n, cell->available);
     }
-    content += svg::method_line(points, i) + marks +
-               svg::method_key(x_at(1) + 15, legend_at(i), i, lines[i].name);
+    content += svg::method_line(points, i) + marks + svg::method_key(plot, i, lines[i].name);
   }
-  if (any_hollow)
-    content += text(x_at(1) + 15, kMargin + kLine * static_cast<double>(lines.size()) + 8, "start",
-                    "hollow: > 10 % of runs NA");
-  return chart(content, lines.size() + 1);
+  if (any_hollow) {
+    const auto [left, top] = plot.legend(lines.size());
+    content += text(left, top + 8, "start", "hollow: > 10 % of runs NA");
+  }
+  return plot.document(content, lines.size() + 1);
 }
 
 /// The cell, if it has an estimate.
@@ -231,7 +222,8 @@ const Cell* drawn(const Cell& cell) {
 
 }  // namespace
 
-std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column) {
+std::string bins_figure(const std::vector<CrossTable>& tables, const Column& column,
+                        const FigureStyle& style) {
   std::vector<std::string> bins;
   std::vector<CellLine> lines;
   for (const CrossTable& table : tables) {
@@ -241,9 +233,9 @@ std::string bins_figure(const std::vector<CrossTable>& tables, const Column& col
         if (table.columns[i].info.id == column.info.id)
           lines.back().cells[row] = drawn(table.rows[row].cells[i]);
   }
-  if (tables.empty()) return lines_figure(column.info, "", {}, {});
+  if (tables.empty()) return lines_figure(column.info, "", {}, {}, style);
   for (const CrossRow& row : tables.front().rows) bins.push_back(row.bin.label());
-  return lines_figure(column.info, label_of(tables.front().descriptor), bins, lines);
+  return lines_figure(column.info, label_of(tables.front().descriptor), bins, lines, style);
 }
 
 std::string history_figure(const History& history, const std::string& metric,
@@ -259,11 +251,17 @@ std::string history_figure(const History& history, const std::string& metric,
   }
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i < results.size(); ++i) numbers.push_back(std::to_string(i + 1));
-  return lines_figure(info, join(results, ", "), numbers, lines);
+  return lines_figure(info, join(results, ", "), numbers, lines, {});
 }
 
-std::string map_figure(const std::vector<DescriptorMap>& maps) {
-  constexpr double kCellWidth = 84, kCellHeight = 40, kNames = 130, kPanel = 90;
+std::string map_figure(const std::vector<DescriptorMap>& maps, const FigureStyle& style) {
+  constexpr double kCellHeight = 40, kNames = 130, kRight = 20, kPanel = 90, kLeastCell = 50;
+  std::size_t columns = 1;
+  for (const DescriptorMap& map : maps) columns = std::max(columns, map.columns.size());
+  const double cell_width = style.width
+                                ? std::max(kLeastCell, (svg::width_of(style) - kNames - kRight) /
+                                                           static_cast<double>(columns))
+                                : 84;
   std::vector<double> values;
   for (const DescriptorMap& map : maps)
     for (const auto& row : map.fields)
@@ -274,38 +272,40 @@ std::string map_figure(const std::vector<DescriptorMap>& maps) {
   for (const DescriptorMap& map : maps) {
     const Axis axis = axis_of(map.column.info, values);
     const auto rows = static_cast<double>(map.rows.size());
-    content += text(10, top - 14, "start", map.method + ": " + label_of(map.column.info)) +
+    content += text(10, top - 14, "start",
+                    svg::label_of(style, map.method) + ": " + label_of(map.column.info)) +
                text(10, top + 4, "start", label_of(map.row_descriptor));
     for (std::size_t row = 0; row < map.rows.size(); ++row) {
       const double y = top + 12 + kCellHeight * (rows - 1 - static_cast<double>(row));  // upwards
       content += text(kNames - 8, y + 24, "end", map.rows[row].label());
       for (std::size_t column = 0; column < map.columns.size(); ++column) {
         const Cell& cell = map.fields[row][column].cell;
-        const double x = kNames + kCellWidth * static_cast<double>(column);
+        const double x = kNames + cell_width * static_cast<double>(column);
         const double shade = cell.estimate ? 0.55 * axis.part(*cell.estimate) : 0;
         content += fmt::format(
             "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.0f}\" height=\"{:.0f}\" "
             "fill=\"#008060\" fill-opacity=\"{:.2f}\" stroke=\"#999\" stroke-width=\"0.5\"/>",
-            x, y, kCellWidth, kCellHeight, shade);
-        content += text(x + kCellWidth / 2, y + 17, "middle",
+            x, y, cell_width, kCellHeight, shade);
+        content += text(x + cell_width / 2, y + 17, "middle",
                         cell.estimate ? fmt::format("{:.3g}", *cell.estimate) : "–") +
-                   text(x + kCellWidth / 2, y + 33, "middle", fmt::format("n = {}", cell.n));
+                   text(x + cell_width / 2, y + 33, "middle", fmt::format("n = {}", cell.n));
       }
     }
     const double bottom = top + 12 + kCellHeight * rows;
     for (std::size_t column = 0; column < map.columns.size(); ++column)
-      content += text(kNames + kCellWidth * (static_cast<double>(column) + 0.5), bottom + 16,
+      content += text(kNames + cell_width * (static_cast<double>(column) + 0.5), bottom + 16,
                       "middle", map.columns[column].label());
-    const double right = kNames + kCellWidth * static_cast<double>(map.columns.size());
+    const double right = kNames + cell_width * static_cast<double>(map.columns.size());
     content += text((kNames + right) / 2, bottom + 34, "middle", label_of(map.column_descriptor));
-    width = std::max(width, right + 20);
+    width = std::max(width, right + kRight);
     top = bottom + kPanel;
   }
-  return document(width, top - kPanel + kMargin, content);
+  return document(width, top - kPanel + kMargin, content, style);
 }
 
-std::string difficulty_figure(const DifficultyScale& scale,
-                              const std::vector<std::string>& methods) {
+std::string difficulty_figure(const DifficultyScale& scale, const std::vector<std::string>& methods,
+                              const FigureStyle& style) {
+  const Plot plot(style);
   std::vector<double> ends;
   for (const MethodAbility& method : scale.methods) {
     if (method.ability) ends.push_back(*method.ability);
@@ -320,39 +320,53 @@ std::string difficulty_figure(const DifficultyScale& scale,
   for (const ScenarioDifficulty& one : scale.scenarios) ++scenarios[one.solved_by];
   const std::size_t most =
       scenarios.empty() ? 0 : *std::max_element(scenarios.begin(), scenarios.end());
-  std::string content = frame("scenarios", label_of(info)) + y_ticks(axis);
+  std::string content = plot.frame("scenarios", label_of(info)) + y_ticks(plot, axis);
   for (std::size_t solvers = 0; solvers < scenarios.size(); ++solvers) {
     if (scenarios[solvers] == 0) continue;
-    const double y = y_at(axis.part(scale.by_solvers[solvers]));
+    const double y = plot.y(axis.part(scale.by_solvers[solvers]));
     const double part = static_cast<double>(scenarios[solvers]) / static_cast<double>(most);
-    content += segment(x_at(0), y, x_at(0.8 * part), y, 5, "#9aa5b1") +
-               text(x_at(0.8 * part) + 5, y + 4, "start", std::to_string(scenarios[solvers]));
+    content += segment(plot.x(0), y, plot.x(0.8 * part), y, 5, "#9aa5b1") +
+               text(plot.x(0.8 * part) + 5, y + 4, "start", std::to_string(scenarios[solvers]));
   }
   for (std::size_t i = 0; i < scale.methods.size(); ++i) {
     const MethodAbility& method = scale.methods[i];
     const auto named = std::find(methods.begin(), methods.end(), method.method);
     const std::string color = method_color(static_cast<std::size_t>(named - methods.begin()));
-    content += legend(i, method.method + (method.ability ? "" : " (no finite ability)"), color);
+    content +=
+        legend(plot, i,
+               svg::label_of(style, method.method) + (method.ability ? "" : " (no finite ability)"),
+               color);
     if (!method.ability) continue;
     const double x =
-        x_at(0.86 + 0.12 * static_cast<double>(i) /
-                        static_cast<double>(std::max<std::size_t>(scale.methods.size() - 1, 1)));
-    content += point(x, y_at(axis.part(*method.ability)), 3, color);
+        plot.x(0.86 + 0.12 * static_cast<double>(i) /
+                          static_cast<double>(std::max<std::size_t>(scale.methods.size() - 1, 1)));
+    content += point(x, plot.y(axis.part(*method.ability)), 3, color);
     if (method.interval)
-      content += segment(x, y_at(axis.part(method.interval->low)), x,
-                         y_at(axis.part(method.interval->high)), 1.2, color);
+      content += segment(x, plot.y(axis.part(method.interval->low)), x,
+                         plot.y(axis.part(method.interval->high)), 1.2, color);
   }
-  return chart(content, scale.methods.size());
+  return plot.document(content, scale.methods.size());
 }
 
-std::string outcome_figure(const SummaryTable& summary) {
-  constexpr double kBar = 16, kNames = 110;
+std::string outcome_figure(const SummaryTable& summary, const FigureStyle& style) {
+  constexpr double kBar = 16, kNames = 110, kCounts = 80, kKeys = 24, kLeast = 120;
+  const double figure = style.width ? svg::width_of(style) : kNames + 360 + kCounts;
+  const double width = std::max(kLeast, figure - kNames - kCounts);
   std::string content;
-  const double left = kNames, bottom = kMargin + 26 * static_cast<double>(summary.methods.size());
-  for (std::size_t i = 0; i < summary.methods.size(); ++i) {
-    const MethodSummary& method = summary.methods[i];
-    const double top = kMargin + 26 * static_cast<double>(i);
-    content += text(left - 8, top + 12, "end", method.method);
+  double key = kNames, keys = kKeys;
+  for (const std::string& outcome : summary.outcomes) {
+    const double needed = 30 + 7 * static_cast<double>(outcome.size());
+    if (key > kNames && key + needed > figure) {
+      key = kNames;
+      keys += kLine;
+    }
+    content += segment(key, keys, key + 14, keys, 8, outcome_color(outcome)) +
+               text(key + 18, keys + 4, "start", outcome);
+    key += needed;
+  }
+  double top = keys + kMargin - kKeys;
+  for (const MethodSummary& method : summary.methods) {
+    content += text(kNames - 8, top + 12, "end", svg::label_of(style, method.method));
     double done = 0;
     for (const std::string& outcome : summary.outcomes) {
       const auto found = method.outcomes.find(outcome);
@@ -360,37 +374,34 @@ std::string outcome_figure(const SummaryTable& summary) {
       const double part = static_cast<double>(found->second) / static_cast<double>(method.n);
       content += fmt::format(
           "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.0f}\" fill=\"{}\"/>",
-          left + kWidth * done, top, kWidth * part, kBar, outcome_color(outcome));
+          kNames + width * done, top, width * part, kBar, outcome_color(outcome));
       done += part;
     }
-    content += text(left + kWidth + 6, top + 12, "start", fmt::format("n = {}", method.n));
+    content += text(kNames + width + 6, top + 12, "start", fmt::format("n = {}", method.n));
+    top += 26;
   }
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
-    content += segment(left + kWidth * part, bottom, left + kWidth * part, bottom + 5) +
-               text(left + kWidth * part, bottom + 18, "middle", fmt::format("{:g}", part));
-  double at = left;
-  for (const std::string& outcome : summary.outcomes) {
-    content += segment(at, 24, at + 14, 24, 8, outcome_color(outcome)) +
-               text(at + 18, 28, "start", outcome);
-    at += 30 + 7 * static_cast<double>(outcome.size());
-  }
-  return document(std::max(left + kWidth + 80, at), bottom + 30, content);
+    content += segment(kNames + width * part, top, kNames + width * part, top + 5) +
+               text(kNames + width * part, top + 18, "middle", fmt::format("{:g}", part));
+  return document(kNames + width + kCounts, top + 30, content, style);
 }
 
-std::string box_figure(const ResultTable& runs, const std::string& metric) {
+std::string box_figure(const ResultTable& runs, const std::string& metric,
+                       const FigureStyle& style) {
+  const Plot plot(style);
   const RunValues values(runs, metric);
   const std::vector<MethodValues> methods = values_by_method(runs, values);
   const Axis axis = axis_of(values.info(), all_of(methods));
-  const auto y_of = [&](double value) { return y_at(axis.part(value)); };
-  std::string content = frame("", label_of(values.info())) + y_ticks(axis);
+  const auto y_of = [&](double value) { return plot.y(axis.part(value)); };
+  std::string content = plot.frame("", label_of(values.info())) + y_ticks(plot, axis);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(methods.size()),
-                 x = x_at(part),
-                 half = std::min(14.0, 0.3 * kWidth / static_cast<double>(methods.size()));
+                 x = plot.x(part),
+                 half = std::min(14.0, 0.3 * plot.width() / static_cast<double>(methods.size()));
     const std::string color = method_color(i);
-    content += legend(i,
-                      fmt::format("{} (n = {} of {})", runs.methods[i], methods[i].values.size(),
-                                  methods[i].runs),
+    content += legend(plot, i,
+                      fmt::format("{} (n = {} of {})", svg::label_of(style, runs.methods[i]),
+                                  methods[i].values.size(), methods[i].runs),
                       color);
     if (methods[i].values.empty()) continue;
     const auto at = [&](double fraction) { return y_of(quantile(methods[i].values, fraction)); };
@@ -401,32 +412,35 @@ std::string box_figure(const ResultTable& runs, const std::string& metric) {
                    x - half, at(0.75), 2 * half, at(0.25) - at(0.75), color) +
                segment(x - half, at(0.5), x + half, at(0.5), 2.5, color);
   }
-  return chart(content, methods.size());
+  return plot.document(content, methods.size());
 }
 
-std::string distribution_figure(const ResultTable& runs, const std::string& metric) {
+std::string distribution_figure(const ResultTable& runs, const std::string& metric,
+                                const FigureStyle& style) {
+  const Plot plot(style);
   const RunValues values(runs, metric);
   const std::vector<MethodValues> methods = values_by_method(runs, values);
   const Axis axis = axis_of({values.info().id, 1, "", "", Direction::None}, all_of(methods));
-  std::string content =
-      frame(label_of(values.info()), "share of runs") + x_ticks(axis) + y_ticks({});
+  std::string content = plot.frame(label_of(values.info()), "share of runs") + x_ticks(plot, axis) +
+                        y_ticks(plot, {});
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    std::string points = fmt::format("{:.1f},{:.1f} ", x_at(0), y_at(0));
+    std::string points = fmt::format("{:.1f},{:.1f} ", plot.x(0), plot.y(0));
     double share = 0;
     for (std::size_t k = 0; k < methods[i].values.size(); ++k) {
-      const double x = x_at(axis.part(methods[i].values[k]));
-      points += fmt::format("{:.1f},{:.1f} ", x, y_at(share));
+      const double x = plot.x(axis.part(methods[i].values[k]));
+      points += fmt::format("{:.1f},{:.1f} ", x, plot.y(share));
       share = static_cast<double>(k + 1) / static_cast<double>(methods[i].runs);
-      points += fmt::format("{:.1f},{:.1f} ", x, y_at(share));
+      points += fmt::format("{:.1f},{:.1f} ", x, plot.y(share));
     }
-    points += fmt::format("{:.1f},{:.1f}", x_at(1), y_at(share));
-    content += svg::method_line(points, i) +
-               svg::method_key(x_at(1) + 15, legend_at(i), i, runs.methods[i]);
+    points += fmt::format("{:.1f},{:.1f}", plot.x(1), plot.y(share));
+    content += svg::method_line(points, i) + svg::method_key(plot, i, runs.methods[i]);
   }
-  return chart(content, methods.size());
+  return plot.document(content, methods.size());
 }
 
-std::string scatter_figure(const ResultTable& runs, const std::string& x, const std::string& y) {
+std::string scatter_figure(const ResultTable& runs, const std::string& x, const std::string& y,
+                           const FigureStyle& style) {
+  const Plot plot(style);
   const RunValues horizontal(runs, x), vertical(runs, y);
   std::vector<double> xs, ys;
   for (std::size_t run = 0; run < runs.size(); ++run)
@@ -435,15 +449,15 @@ std::string scatter_figure(const ResultTable& runs, const std::string& x, const 
       ys.push_back(vertical(run));
     }
   const Axis x_axis = axis_of(horizontal.info(), xs), y_axis = axis_of(vertical.info(), ys);
-  std::string content = frame(label_of(horizontal.info()), label_of(vertical.info())) +
-                        x_ticks(x_axis) + y_ticks(y_axis);
+  std::string content = plot.frame(label_of(horizontal.info()), label_of(vertical.info())) +
+                        x_ticks(plot, x_axis) + y_ticks(plot, y_axis);
   for (std::size_t run = 0; run < runs.size(); ++run)
     if (!horizontal.is_na(run) && !vertical.is_na(run))
-      content += point(x_at(x_axis.part(horizontal(run))), y_at(y_axis.part(vertical(run))), 2.5,
-                       method_color(runs.method[run]), 0.55);
+      content += point(plot.x(x_axis.part(horizontal(run))), plot.y(y_axis.part(vertical(run))),
+                       2.5, method_color(runs.method[run]), 0.55);
   for (std::size_t i = 0; i < runs.methods.size(); ++i)
-    content += legend(i, runs.methods[i], method_color(i));
-  return chart(content, runs.methods.size());
+    content += legend(plot, i, svg::label_of(style, runs.methods[i]), method_color(i));
+  return plot.document(content, runs.methods.size());
 }
 
 }  // namespace slalom

@@ -11,6 +11,8 @@
 namespace slalom {
 namespace {
 
+constexpr double kMillimeters = 9.0 / 12 * 25.4 / 72;  // of a unit, by default
+
 ProfileTable two_profiles() {
   ProfileTable table;
   table.column.info.name = "Path length";
@@ -54,7 +56,9 @@ TEST(Figures, ScenariosAreInRowsWithTheirNames) {
     options.max_pixels = 200;  // 200 x 100
     figures.push_back({Scenario::continuous(name, {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3}), options});
   }
-  const std::string svg = scenario_figure(figures, 2);
+  FigureStyle style;
+  style.width = 410 * kMillimeters;
+  const std::string svg = scenario_figure(figures, style);
   EXPECT_EQ(count(svg, "viewBox=\"0 0 410 246\""), 1U)
       << svg;  // two of 200, two of 118, gaps of 10
   EXPECT_EQ(count(svg, "class=\"scene\""), 3U);
@@ -74,7 +78,7 @@ TEST(Figures, OfScenariosNameMethodsAndReferencePathsOnce) {
                             {"a & b", {{1, 3}, {5, 3}}, Outcome::Stuck, ""}};
     figures.push_back({Scenario::continuous(name, {0, 0, 8, 4}, {}, {1, 3, 0}, {7, 3}), options});
   }
-  const std::string svg = scenario_figure(figures, 2);
+  const std::string svg = scenario_figure(figures);
   for (const char* name : {"nd", "a &amp; b", "shortest path"})
     EXPECT_EQ(count(svg, ">" + std::string(name) + "</text>"), 1U) << svg;
   EXPECT_EQ(count(svg, "safest path"), 0U);
@@ -120,6 +124,43 @@ ResultTable lengths() {
   add(1, 1, 2);
   add_success(runs);
   return runs;
+}
+
+TEST(Figures, AreAsWideAsAskedWithTextOfTheSizeAsked) {
+  FigureStyle style;
+  style.width = 88;  // a column of a paper
+  style.font_size = 8;
+  style.labels = {{"a", "ND [12]"}};
+  for (const std::string& svg :
+       {profile_figure(two_profiles(), style), box_figure(lengths(), "path_length", style),
+        outcome_figure(build_summary(lengths(), {"success"}, {}), style),
+        distribution_figure(lengths(), "path_length", style),
+        scatter_figure(lengths(), "density", "path_length", style)}) {
+    // 12 units are 8 points, so that 88 mm are 88 / 25.4 * 72 * 12 / 8 units.
+    EXPECT_NE(svg.find("viewBox=\"0 0 374 "), std::string::npos) << svg;
+    EXPECT_NE(svg.find("width=\"88.00mm\""), std::string::npos) << svg;
+    EXPECT_NE(svg.find("font-size=\"12\""), std::string::npos) << svg;
+    EXPECT_EQ(count(svg, ">a<") + count(svg, ">a ("), 0U) << svg;
+    EXPECT_NE(svg.find("ND [12]"), std::string::npos) << svg;
+    const std::string place = "<text x=\"";
+    for (std::size_t at = svg.find(place); at != std::string::npos; at = svg.find(place, at + 1))
+      EXPECT_LT(std::stod(svg.substr(at + place.size())), 374) << svg;
+  }
+  style.width.reset();
+  EXPECT_NE(profile_figure(two_profiles(), style).find("width=\"393.33pt\""), std::string::npos)
+      << "590 units, each of 8 / 12 points";
+}
+
+TEST(Figures, BreakLabelsOfBinsThatAreTooLongInANarrowFigure) {
+  const ResultTable runs = lengths();
+  const auto tables =
+      build_cross_tables(runs, {parse_bin_spec("density:0,0.125,0.25,0.375,0.5")}, {"success"}, {});
+  FigureStyle style;
+  style.width = 60;
+  const std::string svg = bins_figure(tables, tables.front().columns.front(), style);
+  EXPECT_EQ(count(svg, ">[0.125,</text>"), 1U) << svg;
+  EXPECT_EQ(count(svg, ">0.25)</text>"), 1U) << svg;
+  EXPECT_EQ(count(svg, ">n = 1</text>"), 1U) << svg;
 }
 
 TEST(Figures, AMetricOverBinsIsALineThroughItsEstimates) {

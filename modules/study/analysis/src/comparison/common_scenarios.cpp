@@ -20,8 +20,9 @@ bool has_survivors_only(const ResultTable& table, const ValueColumn& values) {
   return false;
 }
 
-/// Whether every method has a run in the scenario, and all its runs have values.
-std::vector<bool> common_of(const ResultTable& table, const ValueColumn& values) {
+}  // namespace
+
+std::vector<bool> find_common_scenarios(const ResultTable& table, const ValueColumn& values) {
   const std::size_t scenarios = table.scenario_hashes.size(), methods = table.methods.size();
   std::vector<bool> complete(scenarios, true), present(scenarios * methods, false);
   for (std::size_t run = 0; run < table.size(); ++run) {
@@ -33,12 +34,10 @@ std::vector<bool> common_of(const ResultTable& table, const ValueColumn& values)
   return complete;
 }
 
-}  // namespace
-
 CommonScenarios make_common_scenarios(const ResultTable& table, const Column& column,
                                       const AnalysisOptions& options) {
   const ValueColumn& values = *find_metric(table, column.info.id);
-  const std::vector<bool> common = common_of(table, values);
+  const std::vector<bool> common = find_common_scenarios(table, values);
   CommonScenarios made;
   made.column = column;
   made.scenarios = static_cast<std::size_t>(std::count(common.begin(), common.end(), true));

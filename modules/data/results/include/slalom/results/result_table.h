@@ -130,6 +130,9 @@ void expect_names(const ResultTable& columns);
 /// Sorts the names, scenarios by name and hash, and runs by scenario, method and repetition.
 void sort_rows(ResultTable& columns);
 
+/// Removes the runs in the other scenarios; the names of these stay.
+void keep_runs_in(ResultTable& columns, const std::vector<bool>& scenarios);
+
 /// Null if there is none.
 const ValueColumn* find_metric(const ResultTable& columns, const std::string& id);
 const ValueColumn* find_descriptor(const ResultTable& columns, const std::string& id);

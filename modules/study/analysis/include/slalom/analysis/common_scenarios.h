@@ -17,6 +17,9 @@ struct CommonScenarios {
   std::vector<std::vector<std::size_t>> runs;  ///< parallel: those of the cell
 };
 
+/// Finds the scenarios of a metric of the table: true for each that is common.
+std::vector<bool> find_common_scenarios(const ResultTable& table, const ValueColumn& metric);
+
 /// Makes those of a metric of the table.
 CommonScenarios make_common_scenarios(const ResultTable& table, const Column& column,
                                       const AnalysisOptions& options);
