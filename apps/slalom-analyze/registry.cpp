@@ -51,7 +51,8 @@ struct Entry {
   std::string path, place;  ///< place: the path in the folder
   std::string name;         ///< in the site, from the hash of the bundle
   ResultTable runs;
-  std::string scenarios;  ///< "slalom-small", or the hash
+  std::string scenarios;  ///< hash
+  std::string list;       ///< "slalom-small", else the first digits of the hash
   std::string settings;   ///< what differs from the defaults, without the methods
   std::map<std::string, std::string> verified;  ///< what was executed again, by method
 };
@@ -155,7 +156,7 @@ std::map<std::string, std::string> verification_of(const Entry& entry, const std
 Entry read_entry(const fs::path& place, const RegistryArguments& arguments) {
   const std::string path = (fs::path(arguments.folder) / place).string();
   const std::string file_hash = Hasher().add(read_file(path, "a bundle")).hex();
-  Entry entry{path, place.string(), file_hash.substr(0, 16), read_results(path), "", "", {}};
+  Entry entry{path, place.string(), file_hash.substr(0, 16), read_results(path), "", "", "", {}};
   if (!entry.runs.damaged.empty()) throw file_error(path, "is damaged");
   const Manifest& manifest = entry.runs.manifest;
   if (manifest.count("until") > 0)
@@ -168,7 +169,8 @@ Entry read_entry(const fs::path& place, const RegistryArguments& arguments) {
     throw file_error(path, "has " + count_text(entry.runs.size(), "run"),
                      "all " + std::to_string(plan.runs()) + " of its campaign");
   const std::string hash = content_hash(entry.runs.scenario_hashes), bed = testbed_of(hash);
-  entry.scenarios = bed.empty() ? "scenarios " + hash : bed;
+  entry.scenarios = hash;
+  entry.list = bed.empty() ? "list " + hash.substr(0, 8) : bed;
   entry.settings = settings_of(entry.runs, path);
   require_own_settings(manifest, path);
   entry.verified = verification_of(entry, file_hash, arguments.verifications);
@@ -241,7 +243,7 @@ void rank_rows(std::vector<Row>& rows) {
 Group make_group(const std::vector<const Entry*>& entries) {
   Group group{"", entries, {}, {}};
   const Entry& first = *entries.front();
-  group.title = first.scenarios + ", " + count_text(first.runs.scenario_hashes.size(), "scenario") +
+  group.title = first.list + ", " + count_text(first.runs.scenario_hashes.size(), "scenario") +
                 (first.settings.empty() ? "" : ": " + first.settings);
   for (const Entry* entry : entries)
     group.summaries.push_back(build_summary(entry->runs, known_metrics(entry->runs), {}));

@@ -8,7 +8,11 @@
 #include <slalom/core/program_path.h>
 #include <slalom/core/progress_line.h>
 #include <slalom/core/text.h>
+#include <slalom/core/version.h>
 #include <slalom/map_formats/map_export.h>
+
+#include <cstdlib>
+#include <filesystem>
 
 namespace slalom {
 namespace {
@@ -90,6 +94,23 @@ void run_methods(const StudioServices::RunRequest& request,
   execute("slalom-simulate", std::move(command), progress);
 }
 
+/// The user's folder for what can be made again.
+std::string cache_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  if (cache != nullptr && *cache != '\0') return cache;
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || *home == '\0')
+    throw job_error("demo", "no folder for it", "XDG_CACHE_HOME or HOME");
+  return std::string(home) + "/.cache";
+}
+
+std::string make_demo(Progress& progress) {
+  std::string folder = cache_folder() + "/slalom/demo-" + version();
+  if (!std::filesystem::exists(folder + "/report/index.html"))
+    execute("slalom-evaluate", {"--demo", "--output", folder, "--jobs", "0"}, progress);
+  return folder;
+}
+
 }  // namespace
 
 StudioServices make_services(const std::string& campaign,
@@ -100,6 +121,7 @@ StudioServices make_services(const std::string& campaign,
                                        Progress& progress) {
     run_methods(request, assignments, progress);
   };
+  services.make_demo = make_demo;
   services.load_map = load_occupancy_grid;
   services.import_options = {{"Start and goal on maps", defaults_of(&ImportRequest::visit_pairs)},
                              {"Maps", defaults_of(&ImportRequest::visit_maps)},

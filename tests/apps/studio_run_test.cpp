@@ -83,6 +83,21 @@ class StudioRun : public StudioTest {
   }
 };
 
+TEST_F(StudioRun, OpensTheDemoWithItsRuns) {
+  const std::string cache = "XDG_CACHE_HOME='" + (folder_ / "cache").string() + "' ";
+  const std::string script =
+      "do help.demo\nwait idle\n"
+      "expect list contains \"70 scenarios\"\n"
+      "expect results contains \"Results: runs.results\"\n"
+      "expect runs contains \"nd: shown, success\"\n";
+  write("script.txt", script);
+  for (const char* of : {"made", "kept"}) {
+    const ProgramResult result = run("TMPDIR='" + (folder_ / "tmp").string() + "' " + cache +
+                                     environment() + "slalom-studio --script script.txt");
+    EXPECT_EQ(result.status, 0) << of << result.err << result.out;
+  }
+}
+
 TEST_F(StudioRun, ShowsTheRunsOnAnEditedScenarioAndLeavesTheOpenResults) {
   make_results();
   const std::string before = read("out/runs.results");

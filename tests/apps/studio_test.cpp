@@ -70,6 +70,14 @@ TEST_F(Studio, RestoresItsLayout) {
   EXPECT_NE(read("deep/studio.ini").find("\nwidth = 1000"), std::string::npos);
 }
 
+TEST_F(Studio, IsNotLargerThanTheScreen) {
+  write("studio.ini", "[window]\nwidth = 3000\nheight = 2000\n");
+  expect_played("wait idle\n", "--settings studio.ini");
+  const std::string settings = read("studio.ini");
+  EXPECT_NE(settings.find("\nwidth = 1920"), std::string::npos) << settings;
+  EXPECT_NE(settings.find("\nheight = 1080"), std::string::npos) << settings;
+}
+
 TEST_F(Studio, OpensRecentFilesOfEarlierSessions) {
   make_list(1, "a.scenarios");
   make_list(2, "b.scenarios");

@@ -35,8 +35,8 @@ std::string html_of(const StatementTable& table) {
                html_escape(row[i]) + "</" + tag + ">";
     return "<tr>" + cells + "</tr>\n";
   };
-  std::string html = "<div class=\"scroll\"><table>\n<caption>" + html_escape(table.caption) +
-                     "</caption>\n" + row_of(table.header, "th");
+  std::string html = "<div class=\"scroll\" tabindex=\"0\"><table>\n<caption>" +
+                     html_escape(table.caption) + "</caption>\n" + row_of(table.header, "th");
   for (const auto& row : table.rows) html += row_of(row, "td");
   return html + "</table></div>\n";
 }

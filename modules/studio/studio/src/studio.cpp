@@ -227,8 +227,9 @@ bool Studio::poll() {
 
 void Studio::check_files() {
   for (const auto& document : documents_)
-    if (!jobs_.is_pending(describe_key(document->path())) && document->update_from_file())
-      events_.show_status(document->notice());
+    if (!jobs_.is_pending(describe_key(document->path())))
+      if (const std::string message = document->update_from_file(); !message.empty())
+        events_.show_status(message);
 }
 
 }  // namespace slalom

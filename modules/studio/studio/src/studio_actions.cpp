@@ -13,6 +13,9 @@
 namespace slalom {
 namespace {
 
+constexpr const char* kDemoKey = "demo";
+const char* const kDemoTitle = "Open the demo";
+
 FormField path_field(const std::string& label, const std::string& help,
                      const std::string& extension = ".scenarios") {
   FormField field{"file", label, FieldKind::Text, "", "", help};
@@ -419,7 +422,28 @@ void add_list_actions(Actions& actions, Studio& studio) {
                [&studio] { studio.describe_list(); }, needs_list(studio)});
 }
 
+void open_demo(Studio& studio) {
+  studio.jobs().start(
+      kDemoKey, kDemoTitle,
+      [&studio](Progress& progress) -> Jobs::Delivery {
+        return [&studio, folder = studio.services().make_demo(progress)] {
+          studio.open_list(folder + "/campaign.scenarios");
+          studio.results().open(folder + "/runs.results");
+        };
+      },
+      [&studio](const std::string& message) { studio.events().show_error(message, kDemoTitle); });
+}
+
+std::string demo_disabled_reason(Studio& studio) {
+  if (!studio.services().make_demo) return "this program has no demo";
+  return studio.jobs().is_pending(kDemoKey) ? "the demo is running; the status bar cancels it" : "";
+}
+
 void add_help_actions(Actions& actions, Studio& studio) {
+  actions.add({"help.demo", "Help", kDemoTitle, "",
+               "Opens 70 scenarios with the runs of four methods, which are made the first time.",
+               [&studio] { open_demo(studio); },
+               [&studio] { return demo_disabled_reason(studio); }});
   actions.add({"help.keys", "Help", "Keys", "F1", "Lists the keyboard shortcuts.",
                [&studio, &actions] { studio.events().show_message("Keys", key_lines(actions)); }});
   actions.add({"help.about", "Help", "About", "", "Shows the version.", [&studio] {

@@ -96,8 +96,25 @@ PanelWindow::~PanelWindow() {
   studio_.reset();  // joins the workers before the elements that they report to are destroyed
 }
 
+void PanelWindow::fit_screen() {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  int x = 0, y = 0, free_width = 0, free_height = 0, left = 0, top = 0, right = 0, bottom = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &free_width, &free_height);
+  glfwGetWindowFrameSize(glfwWindow(), &left, &top, &right, &bottom);
+  const auto fitting = [this](int size, int screen) {
+    return screen > 0 ? std::min(size, static_cast<int>(static_cast<float>(screen) / mPixelRatio))
+                      : size;
+  };
+  const int fitting_width = fitting(width(), free_width - left - right),
+            fitting_height = fitting(height(), free_height - top - bottom);
+  if (fitting_width < width() || fitting_height < height())
+    setSize(nanogui::Vector2i(fitting_width, fitting_height));
+}
+
 void PanelWindow::show() {
   complete_ = true;
+  fit_screen();
   setVisible(true);
   performLayout(mNVGContext);
 }

@@ -318,27 +318,26 @@ ListDocument::FileState ListDocument::file_state() const {
   return same_state(now, file_) ? FileState::Same : FileState::Changed;
 }
 
-bool ListDocument::update_from_file() {
+std::string ListDocument::update_from_file() {
   const std::string old_notice = notice_;
   switch (file_state()) {
     case FileState::Same:
-      return false;
+      return "";
     case FileState::Gone:
       notice_ = path_ + " was removed by another program; save the list to keep it";
       break;
     case FileState::Changed:
       file_ = file_on_disk();
-      notice_ = "the list was changed by another program and was reloaded";
       refresh();
-      return true;
+      return "the list was changed by another program and was reloaded";
     case FileState::Replaced:
-      if (same_state(file_on_disk(), unreadable_file_)) return false;
+      if (same_state(file_on_disk(), unreadable_file_)) return "";
       reopen();
-      return true;
+      return notice_;
   }
-  if (notice_ == old_notice) return false;
+  if (notice_ == old_notice) return "";
   notify(Change::View);
-  return true;
+  return notice_;
 }
 
 void ListDocument::reopen() {

@@ -47,8 +47,9 @@ std::string html_table(const DataTable& table, const FieldAddress& address_of) {
       rows += html_field(row[i], address_of ? address_of(view.header[i], row[i]) : "");
     rows += "</tr>\n";
   }
-  return "<div class=\"card\"><h2>" + escaped(printable_line(table.title)) + "</h2>\n<table>\n" +
-         html_header(view.header) + "<tbody>" + rows + "</tbody>\n</table></div>\n";
+  return "<div class=\"card\" tabindex=\"0\"><h2>" + escaped(printable_line(table.title)) +
+         "</h2>\n<table>\n" + html_header(view.header) + "<tbody>" + rows +
+         "</tbody>\n</table></div>\n";
 }
 
 // The look of the report (modules/study/report/pages/report.css), without its charts and pictures.

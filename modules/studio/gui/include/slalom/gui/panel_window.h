@@ -39,7 +39,7 @@ class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
   /// Throws std::runtime_error without a display or OpenGL 3.3. The window appears with show().
   PanelWindow(const std::string& title, int width, int height, SceneSettings scene,
               StudioServices services);
-  void show();  ///< after all panels were made
+  void show();  ///< after all panels were made; not larger than the screen
   /// Screen pixels per pixel of the layout; 0 for that of the desktop. Keeps the size in pixels of
   /// the layout.
   void set_scale(double scale);
@@ -50,6 +50,7 @@ class PanelWindow : public mrpt::gui::CDisplayWindowGUI {
  private:
   bool is_open() const;
   void draw_unseen();
+  void fit_screen();
 
   std::unique_ptr<Studio> studio_;
   bool complete_ = false;  ///< all panels were made

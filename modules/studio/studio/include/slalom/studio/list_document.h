@@ -109,8 +109,8 @@ class ListDocument {
   /// Change of the file by another program since the last check.
   enum class FileState { Same, Changed, Replaced, Gone };
   FileState file_state() const;
-  /// Reloads a changed file and sets notice(). Returns whether anything changed.
-  bool update_from_file();
+  /// Reloads a changed file. Returns what happened, empty for nothing; notice() keeps what lasts.
+  std::string update_from_file();
 
   // Actions. They throw Error with the disabled_reason() if any, and the errors of the list.
   std::string disabled_reason(ListAction action) const;  ///< empty if enabled

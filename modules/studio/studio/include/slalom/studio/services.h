@@ -67,6 +67,10 @@ struct StudioServices {
   /// The .ini whose methods are run unless the user chooses another; empty: that of the results.
   std::string campaign;
 
+  /// Returns a folder with campaign.scenarios and runs.results of the campaign that comes with the
+  /// programs. Null if the program cannot run it.
+  std::function<std::string(Progress& progress)> make_demo;
+
   struct SearchRequest {
     std::string campaign, method;  ///< an .ini, and the method of it that is tested
     std::string folder;            ///< for all that is written
