@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Packs the finished release build with all libraries that it needs, for any Linux with the glibc that it prints or a newer
-# one: scripts/archive.sh
+# Packs the finished release build with all libraries that it needs, for any Linux: scripts/archive.sh
+# Libraries for programs of the system, such as libslalom.so, need the glibc that it prints or a newer one.
 # Writes build/release/slalom-VERSION-x86_64.tar.zst: one folder with the programs, the shipped methods, the Python package,
 # a Python with NumPy for methods in Python, and the licenses of all of them. Needs the packages binutils, patchelf and zstd.
 set -euo pipefail
@@ -14,6 +14,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/$name"
 bundle_stage "$work/$name"
+bundle_launchers "$work/$name"
 tar -C "$work" --sort=name --mtime="@$(bundle_time)" --owner=0 --group=0 --numeric-owner -c "$name" |
   zstd -19 --long=27 -T2 -q -f -o "build/release/$name.tar.zst"
 echo "$(du -sm "$work/$name" | cut -f1) MB unpacked, glibc 2.$(bundle_glibc "$work/$name")"

@@ -70,8 +70,8 @@ bundle_older_glibc() {
   done
 }
 
-# Installs the programs and the Python package in the empty folder STAGE with all libraries that they need. Left to the
-# system are glibc, and the libraries of GCC, which drivers of graphics of newer systems need in their own version.
+# Installs the programs and the Python package in the empty folder STAGE with all libraries that they need. Left out are
+# glibc, and the libraries of GCC, which drivers of graphics of newer systems need in their own version.
 bundle_stage() {
   local stage=$1 bundled=$1/lib/slalom/bundled licenses=$1/share/doc/slalom/licenses component file name path package
   local of_system='^(linux-vdso|ld-linux.*|lib(c|m|pthread|dl|rt|resolv|util|nsl|anl|stdc\+\+|gcc_s)\.so.*)$'
@@ -111,6 +111,25 @@ bundle_stage() {
   done >"$licenses/PACKAGES"
   rm "$stage/packages" "$stage/libraries"
   find "$stage" -type d -exec chmod 755 {} +
+}
+
+# Puts launchers before the programs of STAGE, and the glibc with which they run on older systems beside them.
+bundle_launchers() {
+  local stage=$1 programs=$1/lib/slalom/programs glibc=$1/lib/slalom/glibc minor name program path package
+  minor=$(getconf GNU_LIBC_VERSION) minor=${minor#glibc 2.}
+  mkdir "$glibc" "$programs"
+  for name in ld-linux-x86-64.so.2 lib{c,m}.so.6 lib{pthread.so.0,dl.so.2,rt.so.1,resolv.so.2,util.so.1,stdc++.so.6,gcc_s.so.1}; do
+    path=/lib/x86_64-linux-gnu/$name
+    cp -L "$path" "$glibc/$name"
+    package=$(bundle_owner "$(realpath "$path")")
+    cp -L "/usr/share/doc/$package/copyright" "$stage/share/doc/slalom/licenses/$package"
+  done
+  for program in "$stage"/bin/slalom-*; do
+    mv "$program" "$programs"
+    patchelf --set-rpath "\$ORIGIN/../runtime:\$ORIGIN/../bundled" "$programs/$(basename "$program")"
+    sed "s/@GLIBC@/2.$minor/; s/@MINOR@/$minor/" scripts/launcher.sh >"$program"
+    chmod 755 "$program"
+  done
 }
 
 # A time for all files, so that the same build gives the same archive.

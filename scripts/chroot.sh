@@ -29,7 +29,7 @@ remove_system() {
 new_system() {
   local suite=$1 mirror=http://deb.debian.org/debian ubuntu=
   case $suite in
-    jammy | noble | resolute) ubuntu=1 mirror=http://archive.ubuntu.com/ubuntu ;;
+    focal | jammy | noble | resolute) ubuntu=1 mirror=http://archive.ubuntu.com/ubuntu ;;
   esac
   mirror=${2:-$mirror}
   root=$(mktemp -d /tmp/slalom-chroot.XXXXXX)

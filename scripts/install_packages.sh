@@ -29,7 +29,7 @@ for package in "${missing[@]}"; do
 done
 if [ ${#absent[@]} -gt 0 ]; then
   echo "Not available here: ${absent[*]}" >&2
-  echo "Slalom is built on Debian 12 or 13; its archive runs on any x86-64 Linux with glibc 2.35 or newer: docs/start/install.md" >&2
+  echo "Slalom is built on Debian 12 or 13; its archive runs on any x86-64 Linux: docs/start/install.md" >&2
   exit 1
 fi
 for package in "${optional[@]}"; do

@@ -66,6 +66,24 @@ TEST_F(Evaluate, TheDemoNeedsNoFileOfTheReader) {
                  {"--demo: 'small.ini' is another campaign; expected one"});
 }
 
+TEST_F(Evaluate, FindsWhatIsShippedBehindTheLauncherOfAnArchive) {
+  const std::string make =
+      "mkdir -p there/bin there/lib/slalom/programs there/lib/slalom/glibc && "
+      "cp '" +
+      kPrograms +
+      "/slalom-evaluate' there/lib/slalom/programs && "
+      "cp /lib64/ld-linux-x86-64.so.2 there/lib/slalom/glibc && "
+      "cp '" +
+      kSourceFolder +
+      "/scripts/launcher.sh' there/bin/slalom-evaluate && "
+      "chmod +x there/bin/slalom-evaluate && sed -i s/@MINOR@/";
+  for (const std::string newest : {"1", "1000"}) {  // as it is, and by the loader that is beside it
+    ASSERT_EQ(run(make + newest + "/ there/bin/slalom-evaluate").status, 0);
+    expect_failure("there/bin/slalom-evaluate --demo", 3,
+                   {(folder_ / "there/share/slalom/configs/demo.ini").string()});
+  }
+}
+
 TEST_F(Evaluate, UsesAllCoresUnlessTheirNumberIsGiven) {
   // The first core of the test's affinity is the only one that the program may use.
   cpu_set_t all, one;
