@@ -54,13 +54,6 @@ Words option_names(const CLI::App& app) {
   return names;
 }
 
-Words verb_names(const CLI::App& app) {
-  Words names;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(verb->get_name());
-  return names;
-}
-
 /// Position of the last word: in a verb, perhaps as the value of an option.
 struct Place {
   const CLI::App* verb;
@@ -112,6 +105,13 @@ Words SettingNames::matching(const std::string& word) const {
     for (const std::string& name : found->second) words.push_back(before + name);
   }
   return words;
+}
+
+Words verb_names(const CLI::App& app) {
+  const auto is_listed = [](const CLI::App* verb) { return !verb->get_group().empty(); };
+  Words names;
+  for (const CLI::App* verb : app.get_subcommands(is_listed)) names.push_back(verb->get_name());
+  return names;
 }
 
 Words complete(const CLI::App& app, const Words& words) {

@@ -40,14 +40,6 @@ int fail(const std::string& program, const std::string& message, int status) {
   return status;
 }
 
-/// The names of the verbs; empty for a program without verbs.
-std::vector<std::string> verbs(const CLI::App& app) {
-  std::vector<std::string> names;
-  const auto is_listed = [](const CLI::App* verb) { return !verb->get_group().empty(); };
-  for (const CLI::App* verb : app.get_subcommands(is_listed)) names.push_back(verb->get_name());
-  return names;
-}
-
 /// The message of CLI11; of a value that is not of its type as those of checks.h.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   constexpr const char* kBegin = "Could not convert: ";
@@ -67,7 +59,7 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
 /// "unknown verb ..." if the first argument is not a verb, otherwise the message of CLI11.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error, int argc,
                           char** argv) {
-  const std::vector<std::string> names = verbs(app);
+  const std::vector<std::string> names = verb_names(app);
   const std::string first = argc > 1 ? argv[1] : "";
   if (names.empty() || first.empty() || first[0] == '-' || contains(names, first)) {
     return message_of(app, error);
@@ -274,7 +266,7 @@ int run_program(const std::string& name, const std::string& description, int arg
     app.set_version_flag("--version", name + " " + version(), "Print the version and exit");
     define(app);
     check_numbers(app);
-    if (!verbs(app).empty()) {
+    if (!verb_names(app).empty()) {
       app.require_subcommand(1);
       // Before the callback of the verb.
       app.parse_complete_callback([&app] { refuse_output_over_arguments(selected(app)); });

@@ -37,6 +37,9 @@ class SettingNames {
   std::map<std::string, Words> names_;
 };
 
+/// The names of the verbs that the help lists; empty for a program without verbs.
+Words verb_names(const CLI::App& app);
+
 /// The candidates for the last of `words`, which follow the name of the program: verbs, options or
 /// values. Empty where a file name is expected.
 Words complete(const CLI::App& app, const Words& words);
