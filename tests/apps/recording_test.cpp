@@ -78,7 +78,8 @@ TEST_F(Recording, ACrashIsRecordedAndTheCampaignContinues) {
       "crashing: 2 of 2 runs ended with method_crash: killed by signal 11 (Segmentation fault), at "
       "(";
   EXPECT_NE(result.err.find(sentence), std::string::npos) << result.err;
-  for (const std::string verb : {"table", "summary", "table --failures", "table --method crashing"}) {
+  for (const std::string verb :
+       {"table", "summary", "table --failures", "table --method crashing"}) {
     const std::string shown = run("slalom-analyze " + verb + " runs.results").out;
     EXPECT_NE(shown.find("→ " + sentence), std::string::npos) << shown;
   }

@@ -179,18 +179,22 @@ class PosePlanner : public ReferencePlanner {
     const PolygonMotion motion = robot_.holonomic()     ? PolygonMotion::Holonomic
                                  : !robot_.forward_only ? PolygonMotion::Reversing
                                                         : PolygonMotion::Forward;
-    // Reversing is tried for all, as the note names it.
-    const auto path = find_footprint_path(problem.world, robot_.shape(),
-                                          {problem.start.x, problem.start.y, problem.start_heading},
-                                          problem.goal, 0, reason, SearchEffort::Thorough,
-                                          std::max(motion, PolygonMotion::Reversing));
+    // All are tried, as the note names them.
+    const auto path = find_footprint_path(
+        problem.world, robot_.shape(), {problem.start.x, problem.start.y, problem.start_heading},
+        problem.goal, 0, reason, SearchEffort::Thorough, PolygonMotion::Holonomic);
     if (!path) return {};
     const bool arrives = TPoint2D(path->poses.back()) == problem.goal;
     if (path->motion <= motion && arrives) return path->poses;
+    const bool reverses = path->motion == PolygonMotion::Reversing;
     reason = path->motion <= motion
                  ? "the path that was found ends beside the goal"
-                 : fmt::format("a robot that reverses has one of {:.4g} m{}", path->length,
-                               arrives ? "" : ", which ends beside the goal");
+                 : fmt::format("a robot that {} has one of {:.4g} m{}{}",
+                               reverses ? "reverses" : "moves sideways", path->length,
+                               arrives ? "" : ", which ends beside the goal",
+                               reverses ? ""
+                                        : "; if it touches nothing, one that reverses can follow "
+                                          "it as closely as it likes");
     return {};
   }
 

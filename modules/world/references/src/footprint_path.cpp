@@ -56,7 +56,9 @@ std::array<int, 2> step_of(int direction) {
   return step;
 }
 
-/// A position of the lattice and a direction; kDirections at the start, where the heading is given.
+constexpr int kStart = -1;
+
+/// A position and a direction by their numbers; kStart is the direction at the start.
 struct Node {
   std::int32_t x = 0, y = 0;
   int direction = 0;
@@ -66,7 +68,7 @@ struct Node {
 struct NodeHash {
   std::size_t operator()(const Node& n) const {
     return (static_cast<std::size_t>(static_cast<std::uint32_t>(n.x)) << 38U) ^
-           (static_cast<std::size_t>(static_cast<std::uint32_t>(n.y)) << 6U) ^
+           (static_cast<std::size_t>(static_cast<std::uint32_t>(n.y)) << 8U) ^
            static_cast<std::size_t>(n.direction);
   }
 };
@@ -130,28 +132,30 @@ double side_clearance(const Footprint& footprint) {
 /// The weighted distance (m) to the goal that is left from a pose; infinite: no way is left.
 using Guide = std::function<double(const TPose2D&)>;
 
-class LatticeSearch {
+/// The motion that a search is for.
+struct SearchProblem {
+  const World& world;
+  const Footprint& footprint;
+  TPose2D start;
+  TPoint2D goal;
+  double margin;  ///< m
+};
+
+/// Weighted A* among poses.
+class PoseSearch {
  public:
-  LatticeSearch(const World& world, const Footprint& footprint, const TPose2D& start,
-                const TPoint2D& goal, double margin, double spacing, PolygonMotion motion,
-                const Guide& guide)
+  PoseSearch(const SearchProblem& problem, const Guide& guide)
       : guide_(guide),
-        contact_(make_footprint_contact(world, footprint)),
-        start_(start),
-        goal_(goal),
-        margin_(margin),
-        spacing_(spacing),
-        motion_(motion),
-        reach_(kReach * footprint.half_width()),
-        turn_cost_(kTurnCost * footprint.enclosing_radius()) {
-    for (int i = 0; i < kDirections; ++i) {
-      const auto [x, y] = step_of(i);
-      headings_[static_cast<unsigned>(i)] = math::atan2(y, x);
-    }
-  }
+        contact_(make_footprint_contact(problem.world, problem.footprint)),
+        start_(problem.start),
+        goal_(problem.goal),
+        margin_(problem.margin),
+        reach_(kReach * problem.footprint.half_width()),
+        turn_cost_(kTurnCost * problem.footprint.enclosing_radius()) {}
+  virtual ~PoseSearch() = default;
 
   std::optional<FootprintPath> run() {
-    const Node first{0, 0, kDirections};
+    const Node first{0, 0, kStart};
     offer(first, first, 0);
     for (int expanded = 0; !queue_.empty() && expanded < kMaxExpanded; ++expanded) {
       const Node node = queue_.top().node;
@@ -159,11 +163,33 @@ class LatticeSearch {
       State& state = states_.at(node);
       if (state.closed) continue;
       state.closed = true;
-      if (distance_between(position(node), goal_) <= reach_) return path_to(node);
+      if (distance_between(TPoint2D(pose(node)), goal_) <= reach_) return path_to(node);
       expand(node, state.cost);
     }
     return std::nullopt;
   }
+
+ protected:
+  virtual TPose2D pose_of(const Node& node) const = 0;  ///< of one that is not the start
+  virtual void expand(const Node& node, double cost) = 0;
+
+  TPose2D pose(const Node& node) const { return node.direction == kStart ? start_ : pose_of(node); }
+
+  bool is_known(const Node& node) const {
+    const auto found = states_.find(node);
+    return found != states_.end() && found->second.closed;
+  }
+
+  /// Moves straight while it turns to the nearer side.
+  void move(const Node& node, double cost, const Node& next) {
+    if (is_known(next)) return;
+    const TPose2D from = pose(node), to = pose(next);
+    const double turn = mrpt::math::wrapToPi(to.phi - from.phi);
+    if (contact_->is_free(from, {to.x, to.y, from.phi + turn}, margin_))
+      offer(next, node, cost + distance_between(from, TPoint2D(to)) + turn_cost_ * std::abs(turn));
+  }
+
+  const TPose2D& start() const { return start_; }
 
  private:
   struct State {
@@ -181,16 +207,6 @@ class LatticeSearch {
     }
   };
 
-  TPoint2D position(const Node& node) const {
-    return TPoint2D(start_) + TPoint2D(node.x, node.y) * spacing_;
-  }
-  TPose2D pose(const Node& node) const {
-    const TPoint2D p = position(node);
-    return {p.x, p.y,
-            node.direction == kDirections ? start_.phi
-                                          : headings_[static_cast<unsigned>(node.direction)]};
-  }
-
   void offer(const Node& node, const Node& from, double cost) {
     State& state = states_[node];
     if (state.closed || cost >= state.cost) return;
@@ -199,20 +215,54 @@ class LatticeSearch {
     if (rest < std::numeric_limits<double>::infinity()) queue_.push({cost + rest, node});
   }
 
-  bool is_known(const Node& node) const {
-    const auto found = states_.find(node);
-    return found != states_.end() && found->second.closed;
+  FootprintPath path_to(Node node) const {
+    FootprintPath path;
+    path.poses.push_back(pose(node));
+    while (node.direction != kStart) {
+      node = states_.at(node).from;
+      path.poses.push_back(pose(node));
+    }
+    std::reverse(path.poses.begin(), path.poses.end());
+    for (std::size_t i = 1; i < path.poses.size(); ++i)
+      path.length += distance_between(path.poses[i - 1], path.poses[i]);
+    return path;
+  }
+
+  const Guide& guide_;
+  std::unique_ptr<FootprintContact> contact_;
+  TPose2D start_;
+  TPoint2D goal_;
+  double margin_;     ///< m
+  double reach_;      ///< m
+  double turn_cost_;  ///< m/rad
+  std::unordered_map<Node, State, NodeHash> states_;
+  std::priority_queue<Entry> queue_;
+};
+
+/// Turns in place and drives among positions `spacing` (m) apart around the start.
+class LatticeSearch : public PoseSearch {
+ public:
+  LatticeSearch(const SearchProblem& problem, const Guide& guide, double spacing,
+                PolygonMotion motion)
+      : PoseSearch(problem, guide), spacing_(spacing), motion_(motion) {
+    for (int i = 0; i < kDirections; ++i) {
+      const auto [x, y] = step_of(i);
+      headings_[static_cast<unsigned>(i)] = math::atan2(y, x);
+    }
+  }
+
+ private:
+  TPose2D pose_of(const Node& node) const override {
+    const TPoint2D p = TPoint2D(start()) + TPoint2D(node.x, node.y) * spacing_;
+    return {p.x, p.y, headings_[static_cast<unsigned>(node.direction)]};
   }
 
   void turn(const Node& node, double cost, int direction) {
-    const Node next{node.x, node.y, (direction + kDirections) % kDirections};
-    const TPose2D from = pose(node), to = pose(next);
-    if (is_known(next) || !contact_->is_free(from, to, margin_)) return;
-    offer(next, node, cost + turn_cost_ * std::abs(mrpt::math::wrapToPi(to.phi - from.phi)));
+    move(node, cost, {node.x, node.y, (direction + kDirections) % kDirections});
   }
 
-  void expand(const Node& node, double cost) {
-    if (node.direction == kDirections) {
+  void expand(const Node& node, double cost) override {
+    if (node.direction == kStart) {
       // The neighbors of the heading; the other way around is a turn as well.
       int next = 0;
       for (int i = 0; i < kDirections; ++i)
@@ -226,51 +276,66 @@ class LatticeSearch {
     const auto [x, y] = step_of(node.direction);
     const int longest = std::max(1, static_cast<int>(kLongStep / math::hypot(x, y)));
     for (const int steps : {1, longest}) {
-      move(node, cost, steps * x, steps * y);
-      if (motion_ != PolygonMotion::Forward) move(node, cost, -steps * x, -steps * y);
+      move(node, cost, {node.x + steps * x, node.y + steps * y, node.direction});
+      if (motion_ != PolygonMotion::Forward)
+        move(node, cost, {node.x - steps * x, node.y - steps * y, node.direction});
       if (steps == longest) break;
     }
-    if (motion_ == PolygonMotion::Holonomic)
-      for (int i = 0; i < kDirections; i += 4) move(node, cost, step_of(i)[0], step_of(i)[1]);
-  }
-
-  void move(const Node& node, double cost, int x, int y) {
-    const Node next{node.x + x, node.y + y, node.direction};
-    if (!is_known(next) && contact_->is_free(pose(node), pose(next), margin_))
-      offer(next, node, cost + math::hypot(x, y) * spacing_);
   }
 
   /// rad, the angle to the left from the start's heading to a direction.
   double ahead(int direction) const {
-    const double angle = headings_[static_cast<unsigned>(direction)] - start_.phi;
+    const double angle = headings_[static_cast<unsigned>(direction)] - start().phi;
     return angle - 2 * M_PI * std::floor(angle / (2 * M_PI));
   }
 
-  FootprintPath path_to(Node node) const {
-    FootprintPath path;
-    path.poses.push_back(pose(node));
-    while (node.direction != kDirections) {
-      node = states_.at(node).from;
-      path.poses.push_back(pose(node));
-    }
-    std::reverse(path.poses.begin(), path.poses.end());
-    for (std::size_t i = 1; i < path.poses.size(); ++i)
-      path.length += distance_between(path.poses[i - 1], path.poses[i]);
-    return path;
+  static constexpr double kLongStep = 8;  // in positions
+  double spacing_;                        ///< m
+  PolygonMotion motion_;
+  std::array<double, kDirections> headings_ = {};
+};
+
+/// Moves in any direction among the corners of small boxes of poses, and of larger ones where the
+/// robot may turn as it likes: the middle between cells is one, where the robot may just fit.
+class BoxSearch : public PoseSearch {
+ public:
+  BoxSearch(const SearchProblem& problem, const Guide& guide, const PoseBoxes<1>& boxes)
+      : PoseSearch(problem, guide),
+        boxes_(boxes),
+        origin_(problem.world.occupancy().to_world(0, 0)),
+        side_(problem.world.occupancy().resolution() / kInCell) {}
+
+ private:
+  static constexpr int kInCell = 4, kHeadings = 256, kWideTurn = 8;
+
+  TPose2D pose_of(const Node& node) const override {
+    return {origin_.x + node.x * side_, origin_.y + node.y * side_,
+            mrpt::math::wrapToPi(node.direction * 2 * M_PI / kHeadings)};
   }
 
-  static constexpr double kLongStep = 8;  // in positions
-  const Guide& guide_;
-  std::unique_ptr<FootprintContact> contact_;
-  TPose2D start_;
-  TPoint2D goal_;
-  double margin_, spacing_;  ///< m
-  PolygonMotion motion_;
-  double reach_;      ///< m
-  double turn_cost_;  ///< m/rad
-  std::array<double, kDirections> headings_ = {};
-  std::unordered_map<Node, State, NodeHash> states_;
-  std::priority_queue<Entry> queue_;
+  Node near(const TPose2D& pose) const {
+    const double turn = pose.phi / (2 * M_PI);
+    return {static_cast<std::int32_t>(std::lround((pose.x - origin_.x) / side_)),
+            static_cast<std::int32_t>(std::lround((pose.y - origin_.y) / side_)),
+            static_cast<int>(std::lround((turn - std::floor(turn)) * kHeadings)) % kHeadings};
+  }
+
+  void expand(const Node& node, double cost) override {
+    if (node.direction == kStart) return move(node, cost, near(start()));
+    const bool is_wide = boxes_.is_wide(TPoint2D(pose(node)));
+    const int step = is_wide ? kInCell : 1, turn = is_wide ? kWideTurn : 1;
+    const auto snapped = [](int i, int by) { return (i - (i < 0 ? by - 1 : 0)) / by * by; };
+    const Node from = {snapped(node.x, step), snapped(node.y, step), snapped(node.direction, turn)};
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        move(node, cost, {from.x + dx * step, from.y + dy * step, node.direction});
+    for (const int by : {-turn, turn})
+      move(node, cost, {node.x, node.y, (from.direction + by + kHeadings) % kHeadings});
+  }
+
+  const PoseBoxes<1>& boxes_;
+  TPoint2D origin_;
+  double side_;  ///< m
 };
 
 /// Turns to a point and drives there, or turns its back; false if the robot comes closer than the
@@ -332,6 +397,17 @@ void complete(const TPoint2D& goal, const FootprintContact& contact, double marg
   path.length += distance_between(last, moved);
 }
 
+/// Guides by the number of boxes between a pose and the goal.
+template <std::size_t kDivisions>
+Guide guide_by(const PoseBoxes<kDivisions>& boxes, const World& world) {
+  const double side = world.occupancy().resolution() / static_cast<double>(kDivisions);
+  return [&boxes, steps = boxes.steps_to_goal(), side](const TPose2D& pose) {
+    return boxes.leads_to_goal(pose)
+               ? kGreedByBoxes * side * steps[*boxes.position_of(TPoint2D(pose))]
+               : std::numeric_limits<double>::infinity();
+  };
+}
+
 }  // namespace
 
 std::optional<FootprintPath> find_footprint_path(const World& world, const Footprint& footprint,
@@ -354,14 +430,15 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
     reason = kObstructed;
     return std::nullopt;
   }
-  const auto search = [&](double spacing, PolygonMotion by, const Guide& guide) {
-    auto path = LatticeSearch(world, footprint, start, goal, margin,
-                              spacing * footprint.half_width(), by, guide)
-                    .run();
+  const SearchProblem problem{world, footprint, start, goal, margin};
+  const auto finish = [&](std::optional<FootprintPath> path, PolygonMotion by) {
     if (!path) return path;
     path->motion = by;
     complete(goal, *contact, margin, *path);
     return path;
+  };
+  const auto on_lattice = [&](double spacing, PolygonMotion by, const Guide& guide) {
+    return finish(LatticeSearch(problem, guide, spacing * footprint.half_width(), by).run(), by);
   };
   reason = kUndecided;
   if (effort == SearchEffort::Quick || !boxes) {
@@ -369,24 +446,28 @@ std::optional<FootprintPath> find_footprint_path(const World& world, const Footp
     const double clearance =
         side_clearance(footprint) + margin - world.occupancy().resolution() * M_SQRT1_2;
     const CellDistances rest(world, goal, clearance);
-    return search(kSpacings[0], PolygonMotion::Forward,
-                  [&](const TPose2D& pose) { return kGreed * rest.at(TPoint2D(pose)); });
+    return on_lattice(kSpacings[0], PolygonMotion::Forward,
+                      [&](const TPose2D& pose) { return kGreed * rest.at(TPoint2D(pose)); });
   }
-  const std::vector<std::uint16_t> steps = boxes->steps_to_goal();
-  const Guide guide = [&](const TPose2D& pose) {
-    return boxes->leads_to_goal(pose) ? kGreedByBoxes * world.occupancy().resolution() *
-                                            steps[*boxes->position_of(TPoint2D(pose))]
-                                      : std::numeric_limits<double>::infinity();
-  };
+  const Guide guide = guide_by(*boxes, world);
   for (const double spacing : kSpacings)
-    if (auto path = search(spacing, PolygonMotion::Forward, guide)) return path;
-  if (is_obstructed(world, footprint, start, goal, reach, 2)) {
+    if (auto path = on_lattice(spacing, PolygonMotion::Forward, guide)) return path;
+  std::optional<PoseBoxes<2>> finer;
+  if (can_divide(world, 2)) finer.emplace(world, footprint, goal, reach, *boxes);
+  if (finer && finer->separates(start)) {
     reason = kObstructed;
     return std::nullopt;
   }
-  for (const PolygonMotion by : {PolygonMotion::Reversing, PolygonMotion::Holonomic})
-    if (by <= motion)
-      if (auto path = search(kSpacings[0], by, guide)) return path;
+  if (motion >= PolygonMotion::Reversing)
+    if (auto path = on_lattice(kSpacings[0], PolygonMotion::Reversing, guide)) return path;
+  if (motion == PolygonMotion::Holonomic) {
+    const Guide fine = finer ? guide_by(*finer, world) : guide;
+    if (auto path = finish(BoxSearch(problem, fine, *boxes).run(), PolygonMotion::Holonomic))
+      return path;
+  }
+  if (finer && can_divide(world, 4) &&
+      PoseBoxes<4>(world, footprint, goal, reach, *finer).separates(start))
+    reason = kObstructed;
   return std::nullopt;
 }
 

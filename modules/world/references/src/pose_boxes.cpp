@@ -106,6 +106,7 @@ std::array<std::uint64_t, kWords> spread(const std::array<std::uint64_t, kWords>
                                          const std::array<std::uint64_t, kWords>& open,
                                          std::array<std::uint64_t, kWords> all) {
   for (std::size_t w = 0; w < kWords; ++w) all[w] |= headings[w] & open[w];
+  if (open == all_headings<kWords>() && all != std::array<std::uint64_t, kWords>{}) return open;
   for (std::array<std::uint64_t, kWords> before = {}; before != all;) {
     before = all;
     const std::array<std::uint64_t, kWords> neighbors = turned(before);
@@ -117,19 +118,57 @@ std::array<std::uint64_t, kWords> spread(const std::array<std::uint64_t, kWords>
 }  // namespace
 
 template <std::size_t kDivisions>
-PoseBoxes<kDivisions>::PoseBoxes(const World& world, const Footprint& footprint,
-                                 const TPoint2D& goal, double reach)
+PoseBoxes<kDivisions>::PoseBoxes(const World& world, double enclosing_radius, const TPoint2D& goal,
+                                 double reach)
     : cells_(world.occupancy()),
       width_(cells_.size_x() * kSide),
       height_(cells_.size_y() * kSide),
-      reach_(static_cast<int>(std::ceil(footprint.enclosing_radius() / cells_.resolution())) + 1),
+      reach_(static_cast<int>(std::ceil(enclosing_radius / cells_.resolution())) + 1),
       open_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)),
       goal_(goal),
       goal_reach_(reach),
-      leading_(open_.size(), Headings{}) {
+      leading_(open_.size(), Headings{}),
+      is_divided_(cells_.cells().size(), 1) {}
+
+template <std::size_t kDivisions>
+PoseBoxes<kDivisions>::PoseBoxes(const World& world, const Footprint& footprint,
+                                 const TPoint2D& goal, double reach)
+    : PoseBoxes(world, footprint.enclosing_radius(), goal, reach) {
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x)
       if (!cells_.occupied(x / kSide, y / kSide)) open_[index(x, y)] = all_headings<kDivisions>();
+  divide(world, footprint);
+}
+
+template <std::size_t kDivisions>
+template <std::size_t kFewer>
+PoseBoxes<kDivisions>::PoseBoxes(const World& world, const Footprint& footprint,
+                                 const TPoint2D& goal, double reach,
+                                 const PoseBoxes<kFewer>& larger)
+    : PoseBoxes(world, footprint.enclosing_radius(), goal, reach) {
+  constexpr int kInLarger = static_cast<int>(kDivisions / kFewer);
+  std::fill(is_divided_.begin(), is_divided_.end(), 0);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const auto& known = larger.leading_[larger.index(x / kInLarger, y / kInLarger)];
+      Headings& open = open_[index(x, y)];
+      if (known == typename PoseBoxes<kFewer>::Headings{}) continue;
+      if (known == all_headings<kFewer>()) {
+        open = all_headings<kDivisions>();
+        continue;
+      }
+      is_divided_[cells_.index(x / kSide, y / kSide)] = 1;
+      for (unsigned heading = 0; heading < kHeadings; ++heading) {
+        const unsigned of = heading / kInLarger;
+        open[heading / 64] |= (known[of / 64] >> (of % 64) & 1U) << (heading % 64);
+      }
+    }
+  divide(world, footprint);
+}
+
+/// Closes what blocks close, and finds what leads to the goal.
+template <std::size_t kDivisions>
+void PoseBoxes<kDivisions>::divide(const World& world, const Footprint& footprint) {
   const std::vector<Corners> parts = convex_parts(footprint, cells_.resolution());
   const std::vector<std::uint8_t> near = near_free_cells(world);
   for (int block = 1; block <= kMaxBlock; ++block) close(block, parts, near);
@@ -150,6 +189,12 @@ bool PoseBoxes<kDivisions>::leads_to_goal(const TPose2D& pose) const {
   const double turn = pose.phi / (2 * M_PI);
   const auto heading = static_cast<unsigned>((turn - std::floor(turn)) * kHeadings) % kHeadings;
   return position && (leading_[*position][heading / 64] >> (heading % 64) & 1U) != 0;
+}
+
+template <std::size_t kDivisions>
+bool PoseBoxes<kDivisions>::is_wide(const TPoint2D& point) const {
+  const std::optional<std::size_t> position = position_of(point);
+  return position && open_[*position] == all_headings<kDivisions>();
 }
 
 template <std::size_t kDivisions>
@@ -270,6 +315,7 @@ void PoseBoxes<kDivisions>::close(int block, const std::vector<Corners>& parts,
         for (int dy = std::max(-reach_, y - cells_.size_y() + 1); dy <= std::min(reach_, y); ++dy)
           for (int dx = std::max(-reach_, x - cells_.size_x() + 1); dx <= std::min(reach_, x);
                ++dx) {
+            if (is_divided_[cells_.index(x - dx, y - dy)] == 0) continue;
             Headings& open = open_[index((x - dx) * kSide + box_x, (y - dy) * kSide + box_y)];
             const Headings& here = closed[offset_index(dx, dy)];
             for (std::size_t w = 0; w < kDivisions; ++w) open[w] &= ~here[w];
@@ -339,6 +385,11 @@ std::vector<std::uint16_t> PoseBoxes<kDivisions>::steps_to_goal() const {
 
 template class PoseBoxes<1>;
 template class PoseBoxes<2>;
+template class PoseBoxes<4>;
+template PoseBoxes<2>::PoseBoxes(const World&, const Footprint&, const TPoint2D&, double,
+                                 const PoseBoxes<1>&);
+template PoseBoxes<4>::PoseBoxes(const World&, const Footprint&, const TPoint2D&, double,
+                                 const PoseBoxes<2>&);
 
 bool can_divide(const World& world, int divisions) {
   constexpr std::size_t kMaxBoxes = 16'000'000;  // of 64 directions
@@ -349,22 +400,24 @@ bool can_divide(const World& world, int divisions) {
 
 bool is_obstructed(const World& world, const Footprint& footprint, const TPose2D& start,
                    const TPoint2D& goal, double reach, int divisions) {
-  if (footprint.is_disc() || !can_divide(world, divisions)) return false;
-  return divisions > 1 ? PoseBoxes<2>(world, footprint, goal, reach).separates(start)
-                       : PoseBoxes<1>(world, footprint, goal, reach).separates(start);
+  if (footprint.is_disc() || !can_divide(world, 1)) return false;
+  const PoseBoxes<1> large(world, footprint, goal, reach);
+  if (large.separates(start)) return true;
+  if (divisions < 2 || !can_divide(world, 2)) return false;
+  const PoseBoxes<2> small(world, footprint, goal, reach, large);
+  if (small.separates(start)) return true;
+  return divisions > 2 && can_divide(world, 4) &&
+         PoseBoxes<4>(world, footprint, goal, reach, small).separates(start);
 }
 
 void refuse_obstructed(const PlanningProblem& problem, const Footprint& footprint, double reach,
                        References& references) {
   if (!references.shortest || references.shortest->planner_length) return;
   const TPose2D start(problem.start.x, problem.start.y, problem.start_heading);
-  for (const int divisions : {1, 2}) {
-    if (!is_obstructed(problem.world, footprint, start, problem.goal, reach, divisions)) continue;
-    references.shortest.reset();
-    references.safest.reset();
-    references.shortest_reason = references.safest_reason = kObstructed;
-    return;
-  }
+  if (!is_obstructed(problem.world, footprint, start, problem.goal, reach, 4)) return;
+  references.shortest.reset();
+  references.safest.reset();
+  references.shortest_reason = references.safest_reason = kObstructed;
 }
 
 }  // namespace slalom

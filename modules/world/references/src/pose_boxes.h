@@ -22,12 +22,19 @@ class PoseBoxes {
   /// The world must outlive the boxes. They lead to positions within `reach` (m) of the goal.
   PoseBoxes(const World& world, const Footprint& footprint, const mrpt::math::TPoint2D& goal,
             double reach);
+  /// The same, divided only where some of the larger boxes are closed and others lead to the goal.
+  template <std::size_t kFewer>
+  PoseBoxes(const World& world, const Footprint& footprint, const mrpt::math::TPoint2D& goal,
+            double reach, const PoseBoxes<kFewer>& larger);
 
   /// Whether a motion may lead from this pose to the goal: false is proved, but for poses within
   /// rounding errors of a box's border.
   bool leads_to_goal(const mrpt::math::TPose2D& pose) const;
   /// Whether that is proved false of a pose, whatever border it is on.
   bool separates(const mrpt::math::TPose2D& start) const;
+
+  /// Whether the boxes of all headings are open at a position.
+  bool is_wide(const mrpt::math::TPoint2D& point) const;
 
   /// The least number of neighbors to the goal from a box at a position, by position_of(); 65535 if
   /// none leads there or all are farther.
@@ -42,6 +49,13 @@ class PoseBoxes {
   static constexpr unsigned kHeadings = 64 * kDivisions;
   static constexpr int kRing = 2;  ///< cells outside that are looked at
 
+  template <std::size_t>
+  friend class PoseBoxes;
+
+  PoseBoxes(const World& world, double enclosing_radius, const mrpt::math::TPoint2D& goal,
+            double reach);
+
+  void divide(const World& world, const Footprint& footprint);
   std::size_t index(int x, int y) const;
   std::size_t near_index(int x, int y) const;
   std::size_t offset_index(int dx, int dy) const;
@@ -60,10 +74,12 @@ class PoseBoxes {
   mrpt::math::TPoint2D goal_;
   double goal_reach_;              ///< m
   std::vector<Headings> leading_;  ///< of these, what leads to the goal
+  std::vector<char> is_divided_;   ///< by cell, whether blocks may close its boxes
 };
 
 extern template class PoseBoxes<1>;
 extern template class PoseBoxes<2>;
+extern template class PoseBoxes<4>;
 
 /// Whether a world has few enough boxes: at most 16 million of 64 directions.
 bool can_divide(const World& world, int divisions);

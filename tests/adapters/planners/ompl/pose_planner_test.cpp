@@ -168,6 +168,13 @@ TEST(PosePlanner, AHolonomicPolygonMovesSidewaysWhereItCannotTurn) {
     EXPECT_EQ(references.shortest->note, "") << x;
     EXPECT_NEAR(references.shortest->certificate.upper_bound, x - 2, 1e-6);
   }
+  robot.kinematics = Kinematics::DiffDrive;
+  robot.forward_only = false;
+  const World world(Scenario::continuous("across", {0, 0, 8, 4}, walls, {2, 2, M_PI / 2}, {6, 2}),
+                    0.05);
+  EXPECT_EQ(references_of(world, robot).shortest->note,
+            "lattice found no path: a robot that moves sideways has one of 4 m; if it touches "
+            "nothing, one that reverses can follow it as closely as it likes");
 }
 
 TEST(PosePlanner, TheSafestPathOfAPolygonIsSampledByDefault) {

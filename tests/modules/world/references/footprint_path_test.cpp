@@ -63,7 +63,8 @@ void expect_valid(const World& world, const Footprint& footprint, const Footprin
     const double driven = distance_between(from, to);
     length += driven;
     if (driven > 0) {
-      EXPECT_EQ(from.phi, to.phi) << "turns while it drives";
+      EXPECT_TRUE(from.phi == to.phi || path.motion == PolygonMotion::Holonomic)
+          << "turns while it drives";
       const double ahead = inverse_compose(from, TPoint2D(to)).x;
       EXPECT_NEAR(path.motion == PolygonMotion::Forward     ? ahead
                   : path.motion == PolygonMotion::Reversing ? std::abs(ahead)
@@ -139,6 +140,29 @@ TEST(FootprintPath, OtherMotionsAreUsedOnlyWhereNoFormerLeads) {
       EXPECT_NEAR(path->length, 4, 0.05);
       expect_valid(world, footprint, *path);
     }
+}
+
+TEST(FootprintPath, LeadsAroundABendInWhichTheRobotJustFitsButCannotTurn) {
+  // A corridor of 0.3 m; the robot is 0.3 m by 0.26 m, its diagonal 0.4 m.
+  Primitives walls;
+  const auto box = [&](double left, double low, double right, double high) {
+    walls.polygons.push_back({{{left, low}, {right, low}, {right, high}, {left, high}}});
+  };
+  box(0, 0, 3.21, 0.84);
+  box(0, 1.16, 2.89, 4);
+  box(3.21, 0, 4, 4);
+  const World bend(Scenario::continuous("bend", {0, 0, 4, 4}, walls, {0.5, 1, 0}, {3.05, 3.5}),
+                   0.05);
+  const Footprint footprint = Footprint::parse("0.15,0.13; -0.15,0.13; -0.15,-0.13; 0.15,-0.13");
+  for (const PolygonMotion motion : {PolygonMotion::Reversing, PolygonMotion::Holonomic}) {
+    std::string reason;
+    const auto path =
+        find_footprint_path(bend, footprint, bend.scenario().start(), bend.scenario().goal(), 0,
+                            reason, SearchEffort::Thorough, motion);
+    ASSERT_EQ(path.has_value(), motion == PolygonMotion::Holonomic) << reason;
+    if (!path) continue;
+    EXPECT_NEAR(path->length, 2.55 + 2.5, 0.1);
+  }
 }
 
 TEST(FootprintPath, NoDiscInTheRobotHasAPathIsAProof) {

@@ -56,7 +56,7 @@ World door(int cells, int divider = 120) {
 
 TEST(FootprintProof, ADoorNarrowerThanTheRobotIsNoWay) {
   // The widths of the robots are 0.42 and 0.58 m, the least ones, along a diagonal too.
-  for (const int divisions : {1, 2}) {
+  for (const int divisions : {1, 2, 4}) {
     EXPECT_TRUE(is_proved(door(7), Footprint::parse(kRectangle), divisions));
     EXPECT_FALSE(is_proved(door(9), Footprint::parse(kRectangle), divisions));
     EXPECT_TRUE(is_proved(door(10), Footprint::parse(kRearAxle), divisions));
@@ -149,7 +149,7 @@ TEST(FootprintProof, NeverContradictsBruteForceInSmallWorlds) {
       if (make_footprint_contact(world, footprint)->touches(world.scenario().start())) continue;
       const bool is_reached = is_connected_by_samples(world, footprint);
       connected += is_reached ? 1 : 0;
-      for (const int divisions : {1, 2}) {
+      for (const int divisions : {1, 2, 4}) {
         const bool is_none = is_proved(world, footprint, divisions, 0.025);
         EXPECT_FALSE(is_none && is_reached) << seed << " " << text << " " << divisions;
         proved += is_none ? 1 : 0;
@@ -162,10 +162,10 @@ TEST(FootprintProof, NeverContradictsBruteForceInSmallWorlds) {
 
 /// Poses that no box near them lets to a goal that is everywhere.
 template <std::size_t kDivisions>
-int count_closed(const World& world, const Footprint& footprint) {
+int count_closed(const World& world, const Footprint& footprint,
+                 const PoseBoxes<kDivisions>& boxes) {
   RandomEngine engine(6);
   const auto contact = make_footprint_contact(world, footprint);
-  const PoseBoxes<kDivisions> boxes(world, footprint, {2.5, 2.5}, 10);
   int closed = 0;
   for (int i = 0; i < 5000; ++i) {
     const TPose2D pose(uniform_real(engine, 0, 5), uniform_real(engine, 0, 5),
@@ -182,9 +182,19 @@ TEST(FootprintProof, TheRobotTouchesSomethingAtEachPoseOfAClosedBox) {
   const World world = squares(engine);
   for (const char* text : {kRectangle, kRearAxle, kCorner}) {
     const Footprint footprint = Footprint::parse(text);
-    const int coarse = count_closed<1>(world, footprint), fine = count_closed<2>(world, footprint);
+    const TPoint2D middle(2.5, 2.5);
+    const PoseBoxes<1> large(world, footprint, middle, 10);
+    const PoseBoxes<2> small(world, footprint, middle, 10),
+        divided(world, footprint, middle, 10, large);
+    const PoseBoxes<4> smallest(world, footprint, middle, 10, divided);
+    const int coarse = count_closed(world, footprint, large),
+              fine = count_closed(world, footprint, small),
+              finer = count_closed(world, footprint, smallest);
     EXPECT_GT(coarse, 1000);
     EXPECT_GT(fine, coarse) << "smaller boxes close more";
+    EXPECT_GT(finer, fine);
+    EXPECT_NEAR(count_closed(world, footprint, divided), fine, 0.01 * fine)
+        << "hardly a box that is not divided has closed ones in it";
   }
 }
 
@@ -200,7 +210,7 @@ TEST(FootprintProof, NeverContradictsAPathThatIsFound) {
           !find_footprint_path(world, footprint, world.scenario().start(), world.scenario().goal(),
                                0, reason, SearchEffort::Thorough))
         continue;
-      for (const int divisions : {1, 2})
+      for (const int divisions : {1, 2, 4})
         EXPECT_FALSE(is_proved(world, footprint, divisions, footprint.half_width() / 6))
             << seed << " " << text << " " << divisions;
     }
