@@ -43,7 +43,8 @@ int main(int argc, char** argv) {
     std::cout << planner.name << ":";
     for (const auto& run : planner.runs) {
       const auto length = run.find("solution length REAL");
-      std::cout << " " << (length == run.end() ? "no solution" : length->second);
+      const bool is_solved = length != run.end() && run.at("approximate solution BOOLEAN") == "0";
+      std::cout << " " << (is_solved ? length->second : "no solution");
     }
     std::cout << "\n";
   }

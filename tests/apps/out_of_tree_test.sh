@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs Slalom into a temporary folder, builds the examples against it, and runs a campaign with the installed
 # programs and an evaluation with the installed libraries: out_of_tree_test.sh SOURCE_FOLDER BUILD_FOLDER
-set -euo pipefail
+set -Eeuo pipefail
+trap 'echo "line $LINENO: $BASH_COMMAND: failed"' ERR
 source=$1 build=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
