@@ -81,19 +81,13 @@ std::string file_name(std::string name) {
 
 }  // namespace
 
-std::string unused_name(const std::string& name, std::set<std::string>& used) {
-  for (int number = 1;; ++number) {
-    const std::string other = number == 1 ? name : name + "_" + std::to_string(number);
-    if (used.insert(other).second) return other;
-  }
-}
-
 void write_paper(const ResultTable& results, const SummaryTable& summary,
                  const std::vector<CrossTable>& tables, const std::string& folder) {
   const std::string at = folder + "/";
   std::vector<std::string> parts = {"\\input{methods.tex}\n"};
+  std::set<std::string> used, labels;
   const auto add_table = [&](const std::string& name, const std::string& text) {
-    write_file_atomically(at + name + ".tex", text);
+    write_file_atomically(at + name + ".tex", number_labels(text, labels));
     parts.push_back("\\input{" + name + ".tex}\n");
   };
   const auto add_figure = [&](const std::string& name, const std::string& svg,
@@ -108,7 +102,6 @@ void write_paper(const ResultTable& results, const SummaryTable& summary,
   add_figure("outcomes", outcome_figure(summary), "How the runs of each method end.");
   std::map<std::string, std::vector<CrossTable>> same_bins;
   for (const CrossTable& table : tables) same_bins[bins_of(table)].push_back(table);
-  std::set<std::string> used;
   for (const CrossTable& table : tables) {
     add_table(unused_name(file_name(cross_data(table).name), used), render_latex(table));
     const std::vector<CrossTable> drawn = std::exchange(same_bins[bins_of(table)], {});

@@ -5,14 +5,10 @@
 #include <slalom/analysis/summary.h>
 #include <slalom/results/result_table.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
 namespace slalom {
-
-/// The name, with a number if it is in use, as that of a table of other bins; it then is.
-std::string unused_name(const std::string& name, std::set<std::string>& used);
 
 /// Files of a paper about results in a folder: tables and figures to input, a paragraph about how
 /// the runs were made (methods.tex), slalom.bib, and paper.tex, a document with all of it. Throws

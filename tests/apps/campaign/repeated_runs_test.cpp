@@ -61,7 +61,7 @@ TEST(RepeatedRuns, AreComparedByTheirValuesWithoutTrajectories) {
   again.record.outcome = "collision";
   EXPECT_EQ(execution_difference(before, nullptr, again).find("differs: /"), 0U);
   EXPECT_EQ(line_difference(R"({"a":1,"b":2})", R"({"a":2,"b":3})"),
-            "/a was 1 and is 2, and 1 more values");
+            "/a was 1 and is 2, and 1 more value");
 }
 
 }  // namespace

@@ -85,6 +85,13 @@ std::string count_text(std::size_t n, const std::string& noun) {
   return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
+std::string unused_name(const std::string& name, std::set<std::string>& used) {
+  for (int number = 1;; ++number) {
+    const std::string other = number == 1 ? name : name + "_" + std::to_string(number);
+    if (used.insert(other).second) return other;
+  }
+}
+
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;

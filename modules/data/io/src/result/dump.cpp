@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <slalom/core/error.h>
+#include <slalom/core/text.h>
 #include <slalom/io/result_file.h>
 
 #include <nlohmann/json.hpp>
@@ -74,7 +75,7 @@ std::string line_difference(const std::string& before, const std::string& now) {
   };
   const std::size_t more = changes.size() - 1;
   return at.to_string() + " was " + value(old) + " and is " + value(found) +
-         (more == 0 ? "" : ", and " + std::to_string(more) + " more values");
+         (more == 0 ? "" : ", and " + count_text(more, "more value"));
 }
 
 }  // namespace slalom

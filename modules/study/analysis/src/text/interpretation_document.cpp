@@ -180,7 +180,8 @@ std::string render_latex(const Interpretation& interpretation) {
     if (table.rows > 0) tables.push_back(latex_table(table));
   if (!interpretation.footnote.empty() && !tables.empty())
     tables.back() += latex_text(interpretation.footnote) + ".\n";
-  return join(tables, "\n");
+  std::set<std::string> used;
+  return number_labels(join(tables, "\n"), used);
 }
 
 std::string render_markdown(const Interpretation& interpretation) {

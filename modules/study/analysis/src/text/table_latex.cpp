@@ -4,6 +4,7 @@
 #include <slalom/core/text.h>
 
 #include <cctype>
+#include <map>
 
 namespace slalom {
 namespace {
@@ -91,50 +92,57 @@ std::string render_latex(const CrossTable& table) {
                        headers({latex_text(table.descriptor.id), "runs"}, table.columns), rows);
 }
 
+std::string number_labels(const std::string& text, std::set<std::string>& used) {
+  const std::string label = "\\label{";
+  std::string numbered;
+  std::size_t from = 0;
+  for (std::size_t at = text.find(label); at != std::string::npos; at = text.find(label, from)) {
+    const std::size_t begin = at + label.size(), end = text.find('}', begin);
+    numbered +=
+        text.substr(from, begin - from) + unused_name(text.substr(begin, end - begin), used);
+    from = end;
+  }
+  return numbered + text.substr(from);
+}
+
 std::string latex_document(const std::vector<std::string>& tables) {
+  std::set<std::string> used;
   return "\\documentclass{article}\n\\IfFileExists{booktabs.sty}{\\usepackage{booktabs}}{"
          "\\let\\toprule\\hline\\let\\midrule\\hline\\let\\bottomrule\\hline}\n"
          "\\begin{document}\n" +
-         join(tables, "\n\\clearpage\n") + "\\end{document}\n";
+         number_labels(join(tables, "\n\\clearpage\n"), used) + "\\end{document}\n";
 }
 
 std::string latex_text(const std::string& text) {
+  static const std::map<char, std::string> special = {
+      {'\\', "\\textbackslash{}"},
+      {'~', "\\textasciitilde{}"},
+      {'^', "\\textasciicircum{}"},
+      {'<', "$<$"},
+      {'>', "$>$"},
+      {'|', "$|$"},
+      {'[', "{[}"},  // at the start of a row it would be an argument of the preceding row end
+      {'&', "\\&"},
+      {'%', "\\%"},
+      {'$', "\\$"},
+      {'#', "\\#"},
+      {'_', "\\_"},
+      {'{', "\\{"},
+      {'}', "\\}"}};
+  const std::string no_glyph = "\x90\x9E\xB0\xBE";  // Icelandic letters from U+00C0 to U+00FF
   std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '\\':
-        escaped += "\\textbackslash{}";
-        break;
-      case '~':
-        escaped += "\\textasciitilde{}";
-        break;
-      case '^':
-        escaped += "\\textasciicircum{}";
-        break;
-      case '<':
-        escaped += "$<$";
-        break;
-      case '>':
-        escaped += "$>$";
-        break;
-      case '[':  // at the start of a row it would be an argument of the preceding row end
-        escaped += "{[}";
-        break;
-      case '|':
-        escaped += "$|$";
-        break;
-      case '&':
-      case '%':
-      case '$':
-      case '#':
-      case '_':
-      case '{':
-      case '}':
-        escaped += std::string("\\") + c;
-        break;
-      default:
-        if (c >= ' ' && c < 0x7f) escaped += c;
-    }
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool is_latin =
+        byte == 0xC3 && i + 1 < text.size() && no_glyph.find(text[i + 1]) == std::string::npos;
+    if (const auto found = special.find(text[i]); found != special.end())
+      escaped += found->second;
+    else if (is_latin)
+      escaped.append(text, i++, 2);
+    else if (byte >= ' ' && byte < 0x7F)
+      escaped += text[i];
+    else if (byte >= 0xC0)
+      escaped += '?';
   }
   return escaped;
 }

@@ -19,7 +19,9 @@ TEST(TableLatex, EscapesSpecialCharacters) {
   EXPECT_EQ(latex_text("50 % & #1 {$}"), "50 \\% \\& \\#1 \\{\\$\\}");
   EXPECT_EQ(latex_text("\\~^"), "\\textbackslash{}\\textasciitilde{}\\textasciicircum{}");
   EXPECT_EQ(latex_text("[0, 1)"), "{[}0, 1)");
-  EXPECT_EQ(latex_text("a\n\xc3\xa9"), "a");
+  EXPECT_EQ(latex_text("a\n\xc3\xa9"), "a\xc3\xa9");
+  EXPECT_EQ(latex_text("\xc3\x9e\xc3"), "??");
+  EXPECT_EQ(latex_text("\xce\xb1-gap \xf0\x9f\xa4\x96"), "?-gap ?");
 }
 
 TEST(TableLatex, HasOneRowPerBinAndOneFieldPerColumn) {
@@ -35,6 +37,14 @@ TEST(TableLatex, HasOneRowPerBinAndOneFieldPerColumn) {
   EXPECT_NE(text.find("follow\\_gap by density"), std::string::npos) << text;
   EXPECT_NE(text.find("n = 1 of 2"), std::string::npos) << text;
   EXPECT_NE(text.find("95\\,\\%"), std::string::npos) << text;
+}
+
+TEST(TableLatex, LabelsOfTablesInOneDocumentDiffer) {
+  const std::string table = latex_tabular("By density", "a by density", {"density"}, {});
+  const std::string text = latex_document({table, table, table});
+  for (const char* label : {"{tab:a-by-density}", "{tab:a-by-density_2}", "{tab:a-by-density_3}"})
+    EXPECT_EQ(count(text, std::string("\\label") + label), 1u) << text;
+  EXPECT_EQ(count(text, "\\label"), 3u);
 }
 
 TEST(TableLatex, OfASummaryContainsEveryMethod) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ bool ends_with(std::string_view text, std::string_view end);
 
 /// "1 run", "2 runs".
 std::string count_text(std::size_t n, const std::string& noun);
+
+/// The name, with a number if it is in use, "name_2"; it then is.
+std::string unused_name(const std::string& name, std::set<std::string>& used);
 
 /// The candidate with the smallest edit distance to `word`, or "" if none is close.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);

@@ -4,6 +4,7 @@
 #include <slalom/analysis/cross_table.h>
 #include <slalom/analysis/summary.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,14 @@ std::string latex_tabular(const std::string& caption, const std::string& name,
                           const std::vector<std::string>& header,
                           const std::vector<std::vector<std::string>>& rows);
 
+/// Numbers labels that occur again, "tab:NAME_2"; `used` has those of texts before, and gets these.
+std::string number_labels(const std::string& text, std::set<std::string>& used);
+
 /// A standalone document with these tables; without booktabs their rules are plain lines.
 std::string latex_document(const std::vector<std::string>& tables);
 
-/// `text` with LaTeX's special characters escaped, and non-ASCII characters removed.
+/// `text` with LaTeX's special characters escaped; characters beyond U+00FF, which its fonts may not
+/// have, are "?".
 std::string latex_text(const std::string& text);
 
 }  // namespace slalom
