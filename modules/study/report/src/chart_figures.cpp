@@ -349,15 +349,18 @@ std::string difficulty_figure(const DifficultyScale& scale, const std::vector<st
 }
 
 std::string outcome_figure(const SummaryTable& summary, const FigureStyle& style) {
-  constexpr double kBar = 16, kNames = 110, kCounts = 80, kKeys = 24, kLeast = 120;
-  const double figure = style.width ? svg::width_of(style) : kNames + 360 + kCounts;
-  const double width = std::max(kLeast, figure - kNames - kCounts);
+  constexpr double kBar = 16, kLeastNames = 110, kCounts = 80, kKeys = 24, kLeast = 120;
+  double names = kLeastNames;
+  for (const MethodSummary& method : summary.methods)
+    names = std::max(names, svg::width_of_text(svg::label_of(style, method.method)) + 12);
+  const double figure = style.width ? svg::width_of(style) : names + 360 + kCounts;
+  const double width = std::max(kLeast, figure - names - kCounts);
   std::string content;
-  double key = kNames, keys = kKeys;
+  double key = names, keys = kKeys;
   for (const std::string& outcome : summary.outcomes) {
     const double needed = 30 + 7 * static_cast<double>(outcome.size());
-    if (key > kNames && key + needed > figure) {
-      key = kNames;
+    if (key > names && key + needed > figure) {
+      key = names;
       keys += kLine;
     }
     content += segment(key, keys, key + 14, keys, 8, outcome_color(outcome)) +
@@ -366,7 +369,7 @@ std::string outcome_figure(const SummaryTable& summary, const FigureStyle& style
   }
   double top = keys + kMargin - kKeys;
   for (const MethodSummary& method : summary.methods) {
-    content += text(kNames - 8, top + 12, "end", svg::label_of(style, method.method));
+    content += text(names - 8, top + 12, "end", svg::label_of(style, method.method));
     double done = 0;
     for (const std::string& outcome : summary.outcomes) {
       const auto found = method.outcomes.find(outcome);
@@ -374,16 +377,16 @@ std::string outcome_figure(const SummaryTable& summary, const FigureStyle& style
       const double part = static_cast<double>(found->second) / static_cast<double>(method.n);
       content += fmt::format(
           "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.0f}\" fill=\"{}\"/>",
-          kNames + width * done, top, width * part, kBar, outcome_color(outcome));
+          names + width * done, top, width * part, kBar, outcome_color(outcome));
       done += part;
     }
-    content += text(kNames + width + 6, top + 12, "start", fmt::format("n = {}", method.n));
+    content += text(names + width + 6, top + 12, "start", fmt::format("n = {}", method.n));
     top += 26;
   }
   for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
-    content += segment(kNames + width * part, top, kNames + width * part, top + 5) +
-               text(kNames + width * part, top + 18, "middle", fmt::format("{:g}", part));
-  return document(kNames + width + kCounts, top + 30, content, style);
+    content += segment(names + width * part, top, names + width * part, top + 5) +
+               text(names + width * part, top + 18, "middle", fmt::format("{:g}", part));
+  return document(names + width + kCounts, top + 30, content, style);
 }
 
 std::string box_figure(const ResultTable& runs, const std::string& metric,

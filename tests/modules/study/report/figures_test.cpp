@@ -246,6 +246,14 @@ TEST(Figures, OutcomesAreShares) {
   EXPECT_EQ(count(svg, ">n = 5</text>"), 1U);
 }
 
+TEST(Figures, OutcomesLeaveRoomForLongLabels) {
+  FigureStyle style;
+  style.labels = {{"a", "follow the gap of Sezer and Gokasan [12]"}};
+  const std::string svg = outcome_figure(build_summary(lengths(), {"success"}, {}), style);
+  const std::size_t label = svg.rfind("<text x=\"", svg.find("Sezer"));
+  EXPECT_GT(std::stod(svg.substr(label + 9)), 40 * 6) << "the end of 40 letters in " << svg;
+}
+
 TEST(Figures, BoxesAreQuartilesOfTheRunsWithAValue) {
   const std::string svg = box_figure(lengths(), "path_length");
   // The axis is from 1 - 0.09 to 4 + 0.09 m in 240 pixels; quartiles 1.75 and 3.25, median 2.5.
