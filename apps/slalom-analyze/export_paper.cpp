@@ -25,12 +25,37 @@ std::string value_of(const Manifest& manifest, const std::string& key) {
   return found == manifest.end() ? "" : found->second;
 }
 
+/// A value of the .ini, for a sentence.
+std::string rounded(const std::string& value) {
+  double number = 0;
+  return parse_number(value, number) ? fmt::format("{:.6g}", number) : latex_text(value);
+}
+
+std::string scan_text(int rays, double aperture_deg, double max_range) {
+  return fmt::format("{} rays over {:.4g} degrees up to {:.6g}~m", rays, aperture_deg, max_range);
+}
+
+/// What measures, and the scan that methods get.
+std::string sensor_text(const SensorModel& sensor) {
+  const std::string scan = scan_text(sensor.rays, sensor.aperture_deg, sensor.max_range);
+  std::string text = "its laser has " + scan;
+  if (!sensor.lasers.empty()) {
+    std::vector<std::string> lasers;
+    for (const LaserModel& laser : sensor.lasers)
+      lasers.push_back(latex_text(laser.name) +
+                       fmt::format(" at ({:.4g}, {:.4g})~m has ", laser.x, laser.y) +
+                       scan_text(laser.rays, laser.aperture_deg, laser.max_range));
+    text = "its laser " + join(lasers, ", ") + "; methods get " + scan;
+  }
+  return text + fmt::format(", with noise of {:.6g}~m", sensor.noise_sigma);
+}
+
 /// How the runs were made, of what the results contain.
 std::string methods_paragraph(const ResultTable& results, double confidence) {
   const Manifest& manifest = results.manifest;
   const IniFile ini = IniFile::from_text(value_of(manifest, "campaign.effective"), "campaign");
   const auto key = [&](const std::string& section, const std::string& name) {
-    return latex_text(ini.get(section, name).value_or("?"));
+    return rounded(ini.get(section, name).value_or("?"));
   };
   std::string kinematics = ini.get("robot", "kinematics").value_or("");
   std::replace(kinematics.begin(), kinematics.end(), '_', ' ');
@@ -45,16 +70,14 @@ std::string methods_paragraph(const ResultTable& results, double confidence) {
                                       " times the earliest possible arrival";
   std::vector<std::string> methods;
   for (const std::string& method : results.methods) methods.push_back(latex_text(method));
-  std::string text = "The methods " + join(methods, ", ") + " ran in " +
-                     count_text(results.scenario_hashes.size(), "scenario") + ", " +
+  std::string text = (methods.size() == 1 ? "The method " : "The methods ") + join(methods, ", ") +
+                     " ran in " + count_text(results.scenario_hashes.size(), "scenario") + ", " +
                      count_text(results.size(), "run") + " in all, with Slalom " +
                      latex_text(value_of(manifest, "version.slalom")) + "~\\cite{slalom}.";
   if (!value_of(manifest, "campaign.effective").empty())
     text += " The robot (" + latex_text(kinematics) + ") is " + shape + " with at most " +
-            key("robot", "max_v") + "~m/s and " + key("robot", "max_w") + "~rad/s; its laser has " +
-            key("sensor", "rays") + " rays over " + key("sensor", "aperture_deg") +
-            " degrees up to " + key("sensor", "max_range") + "~m, with noise of " +
-            key("sensor", "noise_sigma") + "~m. Methods decide every " +
+            key("robot", "max_v") + "~m/s and " + key("robot", "max_w") + "~rad/s; " +
+            sensor_text(options.sensor) + ". Methods decide every " +
             key("simulation", "control_period") + "~s. A run succeeds within " +
             key("simulation", "goal_tolerance") + "~m of the goal; it ends by contact, after " +
             limit + ", or after " + fmt::format("{:.4g}", simulation.stuck_limit(options.robot)) +

@@ -77,6 +77,24 @@ TEST_F(Export, APaperHasTablesFiguresAndHowTheRunsWereMade) {
   EXPECT_EQ(result.status, 0) << result.out;
 }
 
+TEST_F(Export, APaperDescribesTheLasersOfTheRobot) {
+  if (!has_program("rsvg-convert")) GTEST_SKIP() << "needs the package librsvg2-bin";
+  write("laser.ini", std::string(kSmallCampaign) +
+                         "[robot]\nmax_v = 0.30000000000000004\n[laser.front]\nx = 0.2\n"
+                         "aperture_deg = 270\nrays = 541\nmax_range = 10\n");
+  ASSERT_EQ(run("slalom-simulate run -c laser.ini --set campaign.methods=gap -o laser.results "
+                "--quiet")
+                .status,
+            0);
+  ASSERT_EQ(run("slalom-analyze export laser.results --format paper -o paper --quiet").status, 0);
+  const std::string text = read("paper/methods.tex");
+  for (const char* words :
+       {"The method gap ran", "at most 0.3~m/s",
+        "its laser front at (0.2, 0)~m has 541 rays over 270 degrees up to 10~m; methods get "
+        "181 rays over 180 degrees up to 8~m, with noise of 0~m."})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
 TEST_F(Export, BinsOfOneDescriptorHaveFilesOfTheirOwn) {
   std::string campaign = kSmallCampaign;
   campaign.insert(campaign.find("density:0,0.05,1"), "density:0,0.02,0.05,1; ");
