@@ -372,7 +372,9 @@ class SectionResolver {
     const RosParameterReport::Line line{name + " = " + text,
                                         row.target + (" = " + value.value_or(""))};
     if (!value) {
-      report_.without_counterpart.push_back({line.parameter, row.note});
+      auto& lines = report_.without_counterpart;  // once, however many targets there are
+      if (lines.empty() || lines.back().parameter != line.parameter)
+        lines.push_back({line.parameter, row.note});
     } else if (is_given(row.target)) {
       add_edit(row, parameter, context, *value);
       report_.overridden.push_back(

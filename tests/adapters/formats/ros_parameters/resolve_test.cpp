@@ -195,6 +195,12 @@ TEST_F(RosParameters, RegulatedPurePursuitIsRegulatedOnlyWhereItsFlagsSaySo) {
       "0.6\n";
   const IniFile on = resolve_controller(
       kRpp, lines + "      use_velocity_scaled_lookahead_dist: true\n", "[robot]\nradius = 0.25\n");
+  const auto& lines_on = reports_[0].without_counterpart;
+  EXPECT_EQ(std::count_if(lines_on.begin(), lines_on.end(),
+                          [](const auto& line) {
+                            return line.parameter == "FollowPath.lookahead_dist = 0.7";
+                          }),
+            1);
   EXPECT_EQ(value(on, "method.m", "min_lookahead_dist"), "0.2");
   EXPECT_EQ(value(on, "method.m", "max_lookahead_dist"), "1.1");
   EXPECT_EQ(value(on, "method.m", "regulated_linear_scaling_min_radius"), "0.8");
