@@ -13,6 +13,8 @@
 #include <slalom/ros_parameters/resolve.h>
 #include <slalom/simulation/simulate.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -463,8 +465,18 @@ class SectionResolver {
       if (laser.aperture) set("aperture_deg", format_number(mrpt::RAD2DEG(*laser.aperture)));
       if (laser.rays) set("rays", std::to_string(*laser.rays));
       if (laser.max_range) set("max_range", format_number(*laser.max_range));
-      report_.mapped.push_back({what, "[" + section + "]"});
+      report_.mapped.push_back({what, "[" + section + "]" + part_that_methods_get(laser)});
     }
+  }
+
+  /// Where the scan of [sensor], into which lasers are merged, is the narrower one.
+  std::string part_that_methods_get(const ros::UrdfLaser& laser) const {
+    double seen = SensorModel().aperture_deg;
+    parse_number(ini_.get("sensor", "aperture_deg").value_or(""), seen);
+    const double aperture = laser.aperture ? mrpt::RAD2DEG(*laser.aperture) : seen;
+    if (aperture <= seen) return "";
+    return "; methods get " + fmt::format("{:.4g} of its {:.4g}", seen, aperture) +
+           " degrees: [sensor] aperture_deg";
   }
 
   IniFile& ini_;

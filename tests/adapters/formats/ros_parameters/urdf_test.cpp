@@ -186,6 +186,20 @@ TEST_F(Urdf, LasersHaveTheirPosesAndScans) {
   EXPECT_FALSE(robot(text, "[laser.mine]\nx = 0\n").has_section("laser.base_scan"));
 }
 
+TEST_F(Urdf, TheReportSaysWhatPartOfALaserMethodsGet) {
+  const std::string text =
+      link("base_link", kBox) + "<gazebo reference=\"base_link\"><sensor type=\"ray\"><ray><scan>" +
+      "<horizontal><samples>360</samples><min_angle>-2</min_angle><max_angle>2</max_angle>" +
+      "</horizontal></scan></ray></sensor></gazebo>\n";
+  const auto said = [&](const std::string& keys) {
+    robot(text, keys);
+    return reports_.at(0).mapped.back().result;
+  };
+  EXPECT_EQ(said(""),
+            "[laser.base_link]; methods get 180 of its 229.2 degrees: [sensor] aperture_deg");
+  EXPECT_EQ(said("[sensor]\naperture_deg = 270\n"), "[laser.base_link]");
+}
+
 TEST_F(Urdf, LasersHaveNamesOfSections) {
   const std::string text = link("base_link", kBox) + "<link name=\"b] [campaign\"/>\n" +
                            joint("base_link", "b] [campaign", "") +
