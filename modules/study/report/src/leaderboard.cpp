@@ -591,10 +591,17 @@ const PairedComparison* Leaderboard::open_pair() const {
   return first;
 }
 
-/// " my.ini --set robot.radius=0.3".
-std::string Leaderboard::campaign_words() const {
+/// " my.ini --set robot.radius=0.3", without overrides of the keys that a command sets itself.
+std::string Leaderboard::campaign_words(const std::vector<std::string>& keys) const {
   std::string words;
-  for (const std::string& word : input_.options.campaign) words += " " + shell_word(word);
+  const std::vector<std::string>& all = input_.options.campaign;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_set = all[i] == "--set" && i + 1 < all.size();
+    if (is_set && contains(keys, all[i + 1].substr(0, all[i + 1].find('='))))
+      ++i;
+    else
+      words += " " + shell_word(all[i]);
+  }
   return words;
 }
 
@@ -610,13 +617,14 @@ Markup Leaderboard::more_scenarios() const {
                                            format_fixed(c->relevant, 2) + " (" +
                                            percent_text(c->power) + " % power)"
                                      : "compare " + name(0) + " with " + name(1) + " again";
-  return tag("li", {tag("b", {"Make sure: "}),
-                    count_text(count, "new scenario") + " (" +
-                        count_text(count * rows_.size(), "run") + ") " + what + ".",
-                    command("slalom-evaluate" + campaign_words() + " -o " +
-                            shell_word(input_.options.output + "-2") +
-                            " --set campaign.seed=" + std::to_string(input_.options.seed + 1) +
-                            " --set scenarios.count=" + std::to_string(count))});
+  return tag("li",
+             {tag("b", {"Make sure: "}),
+              count_text(count, "new scenario") + " (" + count_text(count * rows_.size(), "run") +
+                  ") " + what + ".",
+              command("slalom-evaluate" + campaign_words({"campaign.seed", "scenarios.count"}) +
+                      " -o " + shell_word(input_.options.output + "-2") +
+                      " --set campaign.seed=" + std::to_string(input_.options.seed + 1) +
+                      " --set scenarios.count=" + std::to_string(count))});
 }
 
 Markup Leaderboard::look() const {

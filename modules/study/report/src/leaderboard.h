@@ -45,7 +45,7 @@ class Leaderboard {
   std::string runs_text(std::size_t row) const;  ///< "63 of 70 runs" with a success
   std::string names_text(const std::vector<std::size_t>& rows) const;
   std::string common_text() const;
-  std::string campaign_words() const;
+  std::string campaign_words(const std::vector<std::string>& keys = {}) const;
   void find_pairs();
   void count_solved();
   void choose_curve();

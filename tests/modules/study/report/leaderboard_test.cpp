@@ -116,6 +116,11 @@ TEST_F(FirstScreen, ProposesCommandsOfTheCampaign) {
   EXPECT_EQ(count(screen_of({{"a", 30}}, 40),
                   "slalom-tune &#39;my own.ini&#39; --set robot.radius=0.3 --method a "),
             1u);
+  campaign_ = {"my.ini", "--set", "scenarios.count=40", "--set", "robot.radius=0.3"};
+  EXPECT_EQ(count(screen_of({{"a", 30}}, 40),
+                  "slalom-evaluate my.ini --set robot.radius=0.3 -o out/x-2 --set campaign.seed=8"),
+            1u)
+      << "a key is not set twice";
   campaign_ = {};
   EXPECT_EQ(count(screen_of({{"a", 30}}, 40), "What next"), 0u);
 }
