@@ -123,6 +123,9 @@ bool is_used(const std::vector<RosParameter>& parameters, const std::string& key
   return true;
 }
 
+/// Without the last digits, which are those of products of numbers of the file.
+std::string decimal(double number) { return fmt::format("{:.12g}", number); }
+
 /// Resolves one section.
 class SectionResolver {
  public:
@@ -429,16 +432,16 @@ class SectionResolver {
     for (const std::string& mesh : robot.meshes)
       report_.without_counterpart.push_back({mesh, "a mesh is not read"});
     const std::string shapes = "collision shapes of '" + robot.name + "'";
-    if (robot.radius) set_of_robot(path, shapes, "radius", format_number(*robot.radius));
+    if (robot.radius) set_of_robot(path, shapes, "radius", decimal(*robot.radius));
     if (!robot.footprint.empty()) {
       std::vector<std::string> corners;
       for (const auto& corner : robot.footprint)
-        corners.push_back(format_number(corner.x) + "," + format_number(corner.y));
+        corners.push_back(decimal(corner.x) + "," + decimal(corner.y));
       set_of_robot(path, shapes, "footprint", join(corners, "; "));
     }
     const std::string wheels = "limits of the joints of two wheels";
-    if (robot.max_v) set_of_robot(path, wheels, "max_v", format_number(*robot.max_v));
-    if (robot.max_w) set_of_robot(path, wheels, "max_w", format_number(*robot.max_w));
+    if (robot.max_v) set_of_robot(path, wheels, "max_v", decimal(*robot.max_v));
+    if (robot.max_w) set_of_robot(path, wheels, "max_w", decimal(*robot.max_w));
     add_lasers(robot, path);
   }
 
@@ -458,25 +461,35 @@ class SectionResolver {
       const auto set = [&](const std::string& key, const std::string& value) {
         ini_.set(section, key, value, path + ": ");
       };
-      set("x", format_number(laser.pose.x));
-      set("y", format_number(laser.pose.y));
-      set("yaw", format_number(laser.pose.phi));
+      set("x", decimal(laser.pose.x));
+      set("y", decimal(laser.pose.y));
+      set("yaw", decimal(laser.pose.phi));
       if (laser.upside_down) set("upside_down", "true");
-      if (laser.aperture) set("aperture_deg", format_number(mrpt::RAD2DEG(*laser.aperture)));
-      if (laser.rays) set("rays", std::to_string(*laser.rays));
-      if (laser.max_range) set("max_range", format_number(*laser.max_range));
-      report_.mapped.push_back({what, "[" + section + "]" + part_that_methods_get(laser)});
+      if (laser.aperture) set("aperture_deg", decimal(mrpt::RAD2DEG(*laser.aperture)));
+      if (laser.rays) set("rays", decimal(*laser.rays));
+      if (laser.max_range) set("max_range", decimal(*laser.max_range));
+      report_.mapped.push_back({what, "[" + section + "]"});
     }
+    if (!has_lasers) set_scan(robot.lasers, path);
   }
 
-  /// Where the scan of [sensor], into which lasers are merged, is the narrower one.
-  std::string part_that_methods_get(const ros::UrdfLaser& laser) const {
-    double seen = SensorModel().aperture_deg;
-    parse_number(ini_.get("sensor", "aperture_deg").value_or(""), seen);
-    const double aperture = laser.aperture ? mrpt::RAD2DEG(*laser.aperture) : seen;
-    if (aperture <= seen) return "";
-    return "; methods get " + fmt::format("{:.4g} of its {:.4g}", seen, aperture) +
-           " degrees: [sensor] aperture_deg";
+  /// The scan of [sensor], which methods get, is as wide, as dense and as far as those of lasers.
+  void set_scan(const std::vector<ros::UrdfLaser>& lasers, const std::string& path) {
+    double half = 0, range = 0, rays = 0;
+    for (const ros::UrdfLaser& laser : lasers) {
+      range = std::max(range, laser.max_range.value_or(0));
+      if (!laser.aperture) continue;
+      half = std::max(half, std::min(M_PI, std::abs(laser.pose.phi) + *laser.aperture / 2));
+      rays = std::max(rays, (laser.rays.value_or(1) - 1) / *laser.aperture);  // per rad
+    }
+    const auto set = [&](const std::string& key, const std::string& value) {
+      if (ini_.get("sensor", key)) return;
+      ini_.set("sensor", key, value, path + ": ");
+      report_.mapped.push_back({"scans of the lasers", "[sensor] " + key + " = " + value});
+    };
+    if (half > 0) set("aperture_deg", decimal(mrpt::RAD2DEG(2 * half)));
+    if (half > 0 && rays > 0) set("rays", decimal(std::round(2 * half * rays) + 1));
+    if (range > 0 && !ini_.get("sensor", "from")) set("max_range", decimal(range));
   }
 
   IniFile& ini_;

@@ -22,7 +22,7 @@ using mrpt::math::TPoint2D;
 using mrpt::math::TPoint3D;
 using tinyxml2::XMLElement;
 
-constexpr std::size_t kMaxLinks = 10'000;
+constexpr std::size_t kMaxLinks = 10'000, kMaxLasers = 100;
 constexpr double kLargest = 1000;  // m, rad, rad/s
 constexpr int kCorners = 32;       // of a polygon around a circle, 0.5 % larger
 
@@ -305,6 +305,9 @@ class UrdfReader {
         if (links_.count(link) == 0)
           throw xml_.error(*gazebo, "its reference '" + link + "' is not a link",
                            "the name of a link");
+        if (robot_.lasers.size() == kMaxLasers)
+          throw xml_.error(*sensor, "is one laser too many",
+                           "at most " + std::to_string(kMaxLasers));
         robot_.lasers.push_back(laser_at(link));
         const XMLElement* ray = sensor->FirstChildElement("ray");
         if (ray == nullptr) ray = sensor->FirstChildElement("lidar");
@@ -325,13 +328,14 @@ class UrdfReader {
         scan == nullptr ? nullptr : scan->FirstChildElement("horizontal");
     const auto from = number(horizontal, "min_angle"), to = number(horizontal, "max_angle");
     if (from && to) {
-      laser.aperture = *to - *from;
+      // Takes 3.1416 for half a turn.
+      laser.aperture =
+          *to - *from < 2 * M_PI + 1e-3 ? std::min(*to - *from, 2 * M_PI) : *to - *from;
       const double middle = 0.5 * (*from + *to);
       laser.pose.phi =
           mrpt::math::wrapToPi(laser.pose.phi + (laser.upside_down ? -middle : middle));
     }
-    if (const auto samples = number(horizontal, "samples"); samples && *samples < 1e6)
-      laser.rays = static_cast<int>(*samples);
+    laser.rays = number(horizontal, "samples");
     laser.max_range = number(ray.FirstChildElement("range"), "max");
   }
 

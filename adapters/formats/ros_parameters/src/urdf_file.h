@@ -15,8 +15,7 @@ struct UrdfLaser {
   std::string name;          ///< of its link, with _ for what is no letter or digit
   mrpt::math::TPose2D pose;  ///< in the frame of the robot
   bool upside_down = false;
-  std::optional<double> aperture, max_range;  ///< rad, m
-  std::optional<int> rays;
+  std::optional<double> aperture, max_range, rays;  ///< rad, m, as in the file
 };
 
 /// A robot in the Unified Robot Description Format (wiki.ros.org/urdf/XML), with all joints at

@@ -186,18 +186,54 @@ TEST_F(Urdf, LasersHaveTheirPosesAndScans) {
   EXPECT_FALSE(robot(text, "[laser.mine]\nx = 0\n").has_section("laser.base_scan"));
 }
 
-TEST_F(Urdf, TheReportSaysWhatPartOfALaserMethodsGet) {
-  const std::string text =
-      link("base_link", kBox) + "<gazebo reference=\"base_link\"><sensor type=\"ray\"><ray><scan>" +
-      "<horizontal><samples>360</samples><min_angle>-2</min_angle><max_angle>2</max_angle>" +
-      "</horizontal></scan></ray></sensor></gazebo>\n";
-  const auto said = [&](const std::string& keys) {
-    robot(text, keys);
-    return reports_.at(0).mapped.back().result;
-  };
-  EXPECT_EQ(said(""),
-            "[laser.base_link]; methods get 180 of its 229.2 degrees: [sensor] aperture_deg");
-  EXPECT_EQ(said("[sensor]\naperture_deg = 270\n"), "[laser.base_link]");
+/// A laser at the base with these rays and angles.
+std::string laser(const std::string& samples, const std::string& half_angle = "1") {
+  return link("base_link", kBox) +
+         "<gazebo reference=\"base_link\"><sensor type=\"ray\"><ray><scan><horizontal><samples>" +
+         samples + "</samples><min_angle>-" + half_angle + "</min_angle><max_angle>" + half_angle +
+         "</max_angle></horizontal></scan></ray></sensor></gazebo>\n";
+}
+
+TEST_F(Urdf, RaysThatALaserCannotHaveAreRefusedAsTheyAre) {
+  for (const std::string samples : {"2000000", "-1e+300", "10.5"})
+    EXPECT_TRUE(throws_error(ErrorKind::Usage, folder_ / "r.urdf",
+                             {"laser.base_link.rays", "'" + samples + "'", "[2, 100000]"},
+                             [&] { read_sensor_model(robot(laser(samples))); }));
+}
+
+TEST_F(Urdf, AWholeTurnMayBeWrittenWithFewDigits) {
+  EXPECT_EQ(robot(laser("360", "3.1416")).get("laser.base_link", "aperture_deg"), "360");
+  EXPECT_TRUE(throws_error(ErrorKind::Usage, folder_ / "r.urdf", {"aperture_deg", "[1, 360]"},
+                           [&] { read_sensor_model(robot(laser("360", "3.2"))); }));
+}
+
+TEST_F(Urdf, TooManyLasersAreRefused) {
+  std::string sensors;
+  for (int i = 0; i < 101; ++i) sensors += "<sensor type=\"ray\"/>\n";
+  EXPECT_TRUE(refuses(
+      link("base_link", kBox) + "<gazebo reference=\"base_link\">\n" + sensors + "</gazebo>\n",
+      ":104", {"one laser too many", "at most 100"}));
+}
+
+TEST_F(Urdf, MethodsGetAScanAsWideAsThoseOfTheLasers) {
+  const SensorModel front = read_sensor_model(robot(laser("401", "2")));
+  EXPECT_NEAR(front.aperture(), 4, 1e-9);
+  EXPECT_EQ(front.rays, 401);
+  EXPECT_EQ(front.max_range, SensorModel().max_range);
+  EXPECT_EQ(reports_.at(0).mapped.back().result, "[sensor] rays = 401");
+  EXPECT_EQ(
+      read_sensor_model(robot(laser("401", "2"), "[sensor]\naperture_deg = 90\n")).aperture_deg,
+      90);
+  const std::string behind =
+      "<link name=\"rear\"/>\n" +
+      joint("base_link", "rear", "<origin xyz=\"-0.3 0 0.2\" rpy=\"0 0 3.1415926535\"/>") +
+      "<gazebo reference=\"rear\"><sensor type=\"ray\"><ray><scan><horizontal><samples>11</samples>"
+      "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><max>12</max>"
+      "</range></ray></sensor></gazebo>\n";
+  const SensorModel both = read_sensor_model(robot(laser("401", "2") + behind));
+  EXPECT_EQ(both.aperture_deg, 360);
+  EXPECT_EQ(both.rays, 1 + std::lround(2 * M_PI * 100)) << "100 rays per rad as in front";
+  EXPECT_EQ(both.max_range, 12);
 }
 
 TEST_F(Urdf, LasersHaveNamesOfSections) {
