@@ -32,15 +32,15 @@ std::string first_line(const std::string& path) {
   return line;
 }
 
-/// When the process was started, in clock ticks after the boot; "" if there is no such process. A
-/// process id alone may have been given to another process.
+/// When the process was started, in clock ticks after the boot; "" if there is no such process, or
+/// it has ended and nobody waits for it. A process id alone may have been given to another process.
 std::string start_of(const std::string& pid) {
   const std::string stat = first_line("/proc/" + pid + "/stat");
   const std::size_t name_end = stat.rfind(')');  // the name may contain blanks
   if (name_end == std::string::npos) return "";
   constexpr std::size_t kStartAfterName = 19;
   const std::vector<std::string> fields = split_nonempty(stat.substr(name_end + 1), ' ');
-  return fields.size() > kStartAfterName ? fields[kStartAfterName] : "";
+  return fields.size() > kStartAfterName && fields[0] != "Z" ? fields[kStartAfterName] : "";
 }
 
 std::string environment(const char* name) {

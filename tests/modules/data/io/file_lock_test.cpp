@@ -61,6 +61,20 @@ TEST_F(FileLockTest, OfAProcessThatIsGoneIsReplaced) {
   EXPECT_NE(read_file(lock_path(path_)), stale);
 }
 
+/// A zombie, as in a container whose first process waits for no others.
+TEST_F(FileLockTest, OfAProcessThatHasEndedWhileNobodyWaitsForItIsReplaced) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const FileLock lock(path_);
+    _exit(0);
+  }
+  siginfo_t ended = {};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
+  EXPECT_EQ(lock_holder(path_), "");
+  { const FileLock lock(path_); }
+  waitpid(child, nullptr, 0);
+}
+
 TEST_F(FileLockTest, OfAnotherHostIsTakenOverOnRequestOnly) {
   write_lock("host = elsewhere\npid = 1\nstart = 2\nboot = x\njob = 12\n");
   EXPECT_EQ(lock_holder(path_), "process 1 on elsewhere, job 12");
