@@ -92,6 +92,11 @@ TEST_F(Certify, VerifyRefusesWhatItCannotRead) {
   expect_failure("slalom-certify verify short.json", 3, {"short.json: ", "expected a certificate"});
   write("newer.json", R"({"format": 4, "kind": "limit"})");
   expect_failure("slalom-certify verify newer.json", 3, {"format 4 is unknown"});
+  const std::string nested = std::string(300000, '[') + std::string(300000, ']');
+  write("nested.json", R"({"format": 3, "kind": "risk", "campaign.ini": "", "question": {}, )"
+                       R"("answer": {"claim": )" +
+                           nested + "}}");
+  expect_failure("slalom-certify show nested.json", 3, {"nested.json: has more than 100 levels"});
   write_limit("a.json");
   Json foreign = certificate("a.json");
   foreign["campaign.ini"] =

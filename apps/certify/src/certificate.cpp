@@ -128,8 +128,15 @@ bool answers(const Json& certificate, AskedQuestion& asked) {
 }
 
 Json parse_certificate(const std::string& text, const std::string& where) {
+  // Copies and hashes of deeper ones would take all of the stack.
+  const auto is_flat = [&](int depth, Json::parse_event_t, const Json&) {
+    constexpr int kMaxDepth = 100;
+    if (depth > kMaxDepth)
+      throw file_error(where, "has more than " + std::to_string(kMaxDepth) + " levels", kExpected);
+    return true;
+  };
   try {
-    Json json = Json::parse(text);
+    Json json = Json::parse(text, is_flat);
     if (json.at("format").get<int>() != kFormat)
       throw file_error(where, "format " + json.at("format").dump() + " is unknown", kExpected);
     json.at("kind").get<std::string>();
