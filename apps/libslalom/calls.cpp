@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "calls.h"
 
+#include <slalom/app/program.h>
 #include <slalom/core/error.h>
 #include <slalom/core/fork.h>
 #include <slalom/core/version.h>
@@ -68,6 +69,7 @@ char* to_owned(const std::string& text) {
 }
 
 IniFile to_ini(const nlohmann::json& settings) {
+  if (!settings.is_object()) throw usage_error("settings", "are no object", "{SECTION: {...}}");
   IniFile ini = IniFile::from_text("", "arguments");
   for (const auto& [section, keys] : settings.items()) {
     if (!keys.is_object()) throw usage_error(section, "is no section", "{KEY: TEXT, ...}");
@@ -76,6 +78,7 @@ IniFile to_ini(const nlohmann::json& settings) {
       ini.set(section, key, value, "");
     }
   }
+  ini.reject_unknown_sections(campaign_sections());
   return ini;
 }
 

@@ -58,7 +58,8 @@ Value* owned_array(std::size_t count) {
   return memory;
 }
 
-/// Settings as sections of an .ini. Throws Error (Usage) for what is no object of objects of texts.
+/// Settings as sections of an .ini. Throws Error (Usage) for what is no object of objects of texts,
+/// and for unknown sections.
 IniFile to_ini(const nlohmann::json& settings);
 
 /// Unlocks the host while several threads work.

@@ -110,8 +110,15 @@ double* numbers_of(const ResultTable& table, const std::string& id) {
   throw usage_error("'" + id + "'", "is not a column", "one of \"numbers\" or \"timing\"");
 }
 
+/// Throws Error (Usage) for results of evaluate() without an output.
+const std::string& path_of(const slalom_results& results) {
+  if (results.path.empty())
+    throw usage_error("results", "are in no file", "an output of slalom_evaluate()");
+  return results.path;
+}
+
 ResultFiles& files_of(const slalom_results& results) {
-  if (results.files == nullptr) results.files = std::make_unique<ResultFiles>(results.path);
+  if (results.files == nullptr) results.files = std::make_unique<ResultFiles>(path_of(results));
   return *results.files;
 }
 
@@ -171,10 +178,15 @@ QuantityInfo info_of(const Json& column) {
   const auto parsed = parse_range(range);
   if (!parsed)
     throw usage_error("range", "'" + range + "' is not valid", "LOW..HIGH, such as 0..1");
+  const Json& version = column.at("version");
+  constexpr int kMaxVersion = 1'000'000;
+  if (!version.is_number_integer() || version < 1 || version > kMaxVersion)
+    throw usage_error("version", "'" + version.dump() + "' is not valid",
+                      "an integer in [1, " + std::to_string(kMaxVersion) + "]");
   if (contains(metric_ids(), id) || contains(descriptor_ids(), id))
     throw usage_error(id, "is a quantity of Slalom", "another name");
   return {id,
-          column.at("version"),
+          version,
           id,
           column.at("unit"),
           named<Direction>(column, "better"),
@@ -183,7 +195,10 @@ QuantityInfo info_of(const Json& column) {
 }
 
 OwnColumn own_column(const Json& column) {
-  OwnColumn own{ValueColumn(info_of(column)), column.at("of") == "scenarios", column.at("source")};
+  const std::string of = column.at("of");
+  if (of != "scenarios" && of != "runs")
+    throw usage_error("of", "unknown '" + of + "'", "runs or scenarios");
+  OwnColumn own{ValueColumn(info_of(column)), of == "scenarios", column.at("source")};
   for (const Json& value : column.at("values"))
     if (value.is_string())
       own.values.add_na(value);
@@ -195,7 +210,7 @@ OwnColumn own_column(const Json& column) {
 /// Shards are merged first.
 ResultTable add_column(const slalom_results& results, const Json& column, const std::string& path) {
   std::error_code ignored;
-  const bool is_folder = std::filesystem::is_directory(results.path, ignored);
+  const bool is_folder = std::filesystem::is_directory(path_of(results), ignored);
   if (is_folder) save(results.path, path);
   write_with_column(ResultFile::open(is_folder ? path : results.path), results.table,
                     own_column(column), path);
@@ -290,7 +305,7 @@ char* slalom_results_table(const slalom_results* results, const char* rows, cons
 
 int slalom_results_save(const slalom_results* results, const char* path) {
   return guarded(-1, [&] {
-    save(valid(results).path, text_of(path, "path"));
+    save(path_of(valid(results)), text_of(path, "path"));
     return 0;
   });
 }

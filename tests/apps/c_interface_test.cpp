@@ -160,6 +160,14 @@ TEST(CInterface, AColumnOfTheProgramIsAddedToAFile) {
   column["values"] = {1};
   EXPECT_EQ(add(), nullptr);
   EXPECT_EQ(slalom_error(), std::string("comfort: has 1 value; expected 2, one per run"));
+  column["of"] = "methods";
+  EXPECT_EQ(add(), nullptr);
+  EXPECT_EQ(slalom_error(), std::string("of: unknown 'methods'; expected runs or scenarios"));
+  column["of"] = "runs";
+  column["version"] = 1e30;
+  EXPECT_EQ(add(), nullptr);
+  EXPECT_EQ(slalom_error(),
+            std::string("version: '1e+30' is not valid; expected an integer in [1, 1000000]"));
   column.erase("range");
   EXPECT_EQ(add(), nullptr);
   EXPECT_NE(std::string(slalom_error()).find("range"), std::string::npos);
@@ -232,6 +240,10 @@ TEST(CInterface, WhatCannotBeIsAnErrorWithItsReason) {
   EXPECT_NE(error_of(R"([{"keys": {}}])", "{}").find("'name' not found"), std::string::npos);
   EXPECT_NE(error_of(kGap, R"({"settings": {"robot": {"raduis": "1"}}})").find("'radius'"),
             std::string::npos);
+  EXPECT_EQ(error_of(kGap, R"({"settings": {"robots": {"radius": "1"}}})"),
+            "robots.radius: [robots]: unknown section; expected [robot]");
+  EXPECT_EQ(error_of(kGap, R"({"settings": []})"),
+            "settings: are no object; expected {SECTION: {...}}");
   for (const slalom_own_methods* functions : {static_cast<const slalom_own_methods*>(nullptr),
                                               static_cast<const slalom_own_methods*>(&incomplete)})
     EXPECT_EQ(error_of(own, "{}", functions),
@@ -262,7 +274,9 @@ TEST(CInterface, NullPointersAndPlacesBeyondTheEndAreErrors) {
   EXPECT_EQ(slalom_results_numbers(results.get(), "sucess"), nullptr);
   EXPECT_EQ(slalom_results_trajectory(results.get(), 1, &number), nullptr);
   EXPECT_EQ(slalom_results_trajectory(results.get(), 0, &number), nullptr) << "in no file";
-  EXPECT_EQ(slalom_results_save(results.get(), "a.results"), -1) << "in no file";
+  EXPECT_EQ(slalom_results_save(results.get(), "a.results"), -1);
+  EXPECT_EQ(slalom_error(),
+            std::string("results: are in no file; expected an output of slalom_evaluate()"));
   EXPECT_EQ(slalom_results_summary(nullptr), nullptr);
   EXPECT_EQ(slalom_certify("risk", "{}", "{}", nullptr, "[]", 1, nullptr), nullptr);
   EXPECT_EQ(slalom_scenarios_size(nullptr), 0U);

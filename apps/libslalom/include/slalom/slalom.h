@@ -179,7 +179,7 @@ SLALOM_LIBRARY_EXPORT char* slalom_results_summary(const slalom_results* results
  * "density:0,0.1,0.2". */
 SLALOM_LIBRARY_EXPORT char* slalom_results_table(const slalom_results* results, const char* rows,
                                                  const char* columns, double confidence);
-/* Writes a result file with the trajectories. */
+/* Writes a result file with the trajectories. Of results in a file. */
 SLALOM_LIBRARY_EXPORT int slalom_results_save(const slalom_results* results, const char* path);
 
 /* ---- Questions ---- */
