@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -103,7 +104,7 @@ class KeyColumns {
     method = find({"method", {"planner", "local_planner", "algorithm", "controller"}},
                   options.method, any);
     repetition = find({"repetition", {"trial", "run", "episode"}}, options.repetition,
-                      [](const auto& fields) { return !first_text(fields); });
+                      [](const auto& fields) { return !first_other(fields); });
     const OutcomeWords words(options.success_words);
     outcome = find({"outcome",
                     {"result", "status", "state", "end_state", "reason", "done_reason",
@@ -123,11 +124,14 @@ class KeyColumns {
   /// "planner as method", for columns with other names than Slalom's.
   const std::vector<std::string>& renamed() const { return renamed_; }
 
-  /// The first field that is neither a number nor missing.
-  static std::optional<std::size_t> first_text(const std::vector<std::string>& fields) {
+  /// The first field that is neither the number of a repetition nor missing.
+  static std::optional<std::size_t> first_other(const std::vector<std::string>& fields) {
+    constexpr double kLargest = std::numeric_limits<std::int32_t>::max();
     double number = 0;
     for (std::size_t row = 0; row < fields.size(); ++row)
-      if (!is_missing(fields[row]) && !parse_number(fields[row], number)) return row;
+      if (!is_missing(fields[row]) && !(parse_number(fields[row], number) &&
+                                        number == std::floor(number) && number <= kLargest))
+        return row;
     return std::nullopt;
   }
 
@@ -239,8 +243,7 @@ class RowCounts {
 
 std::uint32_t repetition_of(const std::string& field) {
   double number = 0;
-  parse_number(field, number);
-  return static_cast<std::uint32_t>(number > 0 ? std::min(number, 4e9) : 0.0);
+  return parse_number(field, number) ? static_cast<std::uint32_t>(std::max(number, 0.0)) : 0;
 }
 
 /// Merged cells and rows of totals have no key.
@@ -255,9 +258,9 @@ void add_keys(ResultTable& columns, const CsvTable& csv, const KeyColumns& keys,
   const auto* hashes = keys.hash ? keys.hash : keys.scenario;
   const auto* names = keys.scenario ? keys.scenario : keys.hash;
   if (keys.repetition != nullptr)
-    if (const auto row = KeyColumns::first_text(*keys.repetition))
+    if (const auto row = KeyColumns::first_other(*keys.repetition))
       throw file_error(csv.where(*row), "repetition " + shown((*keys.repetition)[*row]),
-                       "a number from 0");
+                       "an integer from 0 to 2147483647");
   NameIndex scenario_index(columns.scenario_hashes), method_index(columns.methods),
       outcome_index(columns.outcomes);
   RowCounts counts;

@@ -35,6 +35,19 @@ TEST(CsvColumns, KeyColumnsIdentifyRuns) {
   EXPECT_FALSE(find_metric(table, "time")->info().is_rate());
 }
 
+TEST(CsvColumns, ARepetitionIsAWholeNumber) {
+  CsvColumnOptions options;
+  options.repetition = "number";
+  for (const std::string number : {"1.5", "1e30", "2147483648"})
+    EXPECT_TRUE(throws_error(ErrorKind::File, "t.csv:3: repetition '" + number + "'",
+                             {"expected an integer from 0 to 2147483647"},
+                             [&] {
+                               columns_from_csv("method,number,time\na,1.0,5\na," + number + ",6\n",
+                                                "t.csv", options);
+                             }))
+        << number;
+}
+
 TEST(CsvColumns, AnEmptyOutcomeIsUnknown) {
   const ResultTable table = columns_from_csv("outcome,time\nsuccess,5\n,6\nNA,7\n", "t.csv");
   const ValueColumn& success = *find_metric(table, "success");
