@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -124,7 +125,9 @@ bool is_used(const std::vector<RosParameter>& parameters, const std::string& key
 }
 
 /// Without the last digits, which are those of products of numbers of the file.
-std::string decimal(double number) { return fmt::format("{:.12g}", number); }
+std::string decimal(double number) {
+  return fmt::format("{:.12g}", number);
+}
 
 /// Resolves one section.
 class SectionResolver {
@@ -370,6 +373,17 @@ class SectionResolver {
     return "";
   }
 
+  /// The largest step up to the default that divides the control period.
+  void set_step(const RosParameter& parameter) {
+    if (ini_.get(section_, "step")) return;
+    const auto options = read_options<SimulationOptions>(ini_, section_);
+    const double steps = options.control_period / options.step;
+    if (std::abs(steps - std::round(steps)) <= 1e-6 * steps) return;
+    const std::string step = format_number(options.control_period / std::ceil(steps));
+    ini_.set(section_, "step", step, parameter.where + ": ");
+    report_.mapped.push_back({parameter.key + " = " + parameter.text, "step = " + step});
+  }
+
   void set(const RosMapping& row, const RosParameter& parameter, const RosContext& context,
            const std::string& name, const std::optional<std::string>& value) {
     const std::string text =
@@ -388,6 +402,7 @@ class SectionResolver {
     } else if (set_.insert(row.target).second) {
       ini_.set(section_, row.target, *value, parameter.where + ": ");
       report_.mapped.push_back(line);
+      if (row.target == std::string("control_period")) set_step(parameter);
     } else if (ini_.get(section_, row.target) == value) {
       report_.mapped.push_back(line);
     } else {
@@ -475,6 +490,7 @@ class SectionResolver {
 
   /// The scan of [sensor], which methods get, is as wide, as dense and as far as those of lasers.
   void set_scan(const std::vector<ros::UrdfLaser>& lasers, const std::string& path) {
+    constexpr double kMaxRays = 100000;
     double half = 0, range = 0, rays = 0;
     for (const ros::UrdfLaser& laser : lasers) {
       range = std::max(range, laser.max_range.value_or(0));
@@ -488,7 +504,8 @@ class SectionResolver {
       report_.mapped.push_back({"scans of the lasers", "[sensor] " + key + " = " + value});
     };
     if (half > 0) set("aperture_deg", decimal(mrpt::RAD2DEG(2 * half)));
-    if (half > 0 && rays > 0) set("rays", decimal(std::round(2 * half * rays) + 1));
+    const double all = std::round(2 * half * rays) + 1;
+    if (all > 1 && all <= kMaxRays) set("rays", decimal(all));  // more are refused of the laser
     if (range > 0 && !ini_.get("sensor", "from")) set("max_range", decimal(range));
   }
 

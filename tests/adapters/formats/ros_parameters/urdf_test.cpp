@@ -292,5 +292,17 @@ TEST_F(Urdf, TheSimulationHasThePeriodAndTheTolerancesOfTheController) {
   EXPECT_EQ(ini.get("simulation", "goal_tolerance"), "0.1");
 }
 
+TEST_F(Urdf, TheStepOfTheSimulationDividesThePeriodOfAnyFrequency) {
+  for (const double frequency : {30.0, 7.0, 12.5, 20.0, 200.0}) {
+    write("nav.yaml", "controller_server:\n  ros__parameters:\n    controller_frequency: " +
+                          std::to_string(frequency) + "\n");
+    const auto options =
+        read_options<SimulationOptions>(resolve("[simulation]\nfrom = nav.yaml\n"), "simulation");
+    EXPECT_NO_THROW(options.check([](const std::string& key) { return key; })) << frequency;
+    EXPECT_LE(options.step, SimulationOptions().step);
+    EXPECT_GT(options.step, SimulationOptions().step / 2 - 1e-9) << frequency;
+  }
+}
+
 }  // namespace
 }  // namespace slalom
