@@ -115,7 +115,10 @@ void add_special_options(CLI::App& verb, InterpretArguments& a, const std::strin
   if (id == "compare")
     exclude(verb, {"--ranks", "--profile"},
             {"--baseline", "--gate", "--gate-on", "--relevant", "--power", "--despite-settings"});
-  if (id == "table") exclude(verb, {"--map", "--failures"}, {"--methods-as"});
+  if (id == "table") {
+    exclude(verb, {"--map", "--failures"}, {"--methods-as"});
+    exclude(verb, {"--failures"}, {"--columns"});
+  }
 }
 
 }  // namespace

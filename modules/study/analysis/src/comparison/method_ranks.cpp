@@ -18,7 +18,7 @@ MethodRanks build_method_ranks(const ResultTable& table, const std::string& metr
   ranks.alpha = test_level(options.confidence);
   const Direction direction = ranks.column.info.direction;
   if (direction == Direction::None) {
-    throw usage_error("ranks", "'" + metric + "' has no direction",
+    throw usage_error("--ranks", "'" + metric + "' has no direction",
                       "a metric with a direction (up or down is better)");
   }
   std::vector<std::vector<std::optional<double>>> means;
@@ -38,7 +38,7 @@ MethodRanks build_method_ranks(const ResultTable& table, const std::string& metr
     }
   }
   if (means.size() < 2 || values.size() < 2) {
-    throw usage_error("ranks", "fewer than two methods with two scenarios in common in " + metric,
+    throw usage_error("--ranks", "fewer than two methods with two scenarios in common in " + metric,
                       "more runs, or a metric that failed runs have too, such as spl");
   }
   ranks.test = friedman_test(values, direction == Direction::Up, ranks.alpha);

@@ -12,7 +12,7 @@ namespace {
 void require_positive(const std::vector<std::optional<double>>& means, const std::string& metric) {
   for (const auto& value : means) {
     if (!value || *value > 0) continue;
-    throw usage_error("profile", "'" + metric + "' has nonpositive values",
+    throw usage_error("--profile", "'" + metric + "' has nonpositive values",
                       "a positive metric, such as time_to_goal");
   }
 }
@@ -36,7 +36,7 @@ ProfileTable build_profiles(const ResultTable& table, const std::string& metric)
   result.column = resolve_columns(table, {metric})[0];
   const Direction direction = result.column.info.direction;
   if (direction == Direction::None) {
-    throw usage_error("profile", "'" + metric + "' has no direction",
+    throw usage_error("--profile", "'" + metric + "' has no direction",
                       "a metric with a direction (up or down is better)");
   }
   std::vector<std::vector<std::optional<double>>> means;

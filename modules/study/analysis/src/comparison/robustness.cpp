@@ -43,7 +43,7 @@ std::vector<Setting> sorted_settings(const std::vector<ResultTable>& sweep,
                                      const std::string& parameter,
                                      const RobustnessOptions& options) {
   if (sweep.size() < 2) {
-    throw usage_error("robustness", "a sweep of fewer than two result files", "two or more");
+    throw usage_error("--robustness", "a sweep of fewer than two result files", "two or more");
   }
   if (!options.values.empty() && options.values.size() != sweep.size()) {
     throw usage_error("--values",

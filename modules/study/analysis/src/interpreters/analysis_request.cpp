@@ -74,7 +74,8 @@ void require_number_of_results(const Interpreter& interpreter, std::size_t resul
   const std::string range =
       max > 100 ? std::to_string(min) + " result files or more"
                 : std::to_string(min) + " or " + std::to_string(max) + " result files";
-  throw usage_error(interpreter.id, count_text(results, "file"),
+  const bool is_option = interpreter.verb != interpreter.id;
+  throw usage_error((is_option ? "--" : "") + interpreter.id, count_text(results, "file"),
                     max == 1 ? "one result file" : range);
 }
 

@@ -54,7 +54,7 @@ DataTable view_table(const DescriptorMap& map) {
 
 Interpretation interpret_map(const std::vector<ResultTable>& results, const AnalysisQuery& query) {
   if (query.rows.size() != 2) {
-    throw usage_error("map", std::to_string(query.rows.size()) + " entries in --rows",
+    throw usage_error("--map", std::to_string(query.rows.size()) + " entries in --rows",
                       "bins of two descriptors: ID:BINS;ID:BINS");
   }
   Interpretation found;

@@ -68,7 +68,7 @@ std::string order_sentence(const RobustnessTable& table, const RobustnessOrder& 
 Interpretation interpret_robustness(const std::vector<ResultTable>& results,
                                     const AnalysisQuery& query) {
   if (query.parameter.empty()) {
-    throw usage_error("robustness", "no parameter", "--parameter SECTION.KEY");
+    throw usage_error("--robustness", "no parameter", "--parameter SECTION.KEY");
   }
   for (const ResultTable& result : results) selected_methods(result, query.method);
   const RobustnessOptions options{query.comparison, query.values,

@@ -56,7 +56,7 @@ DataTable redundancy_matrix(const ValidityTable& validity) {
 Interpretation interpret_validity(const std::vector<ResultTable>& results,
                                   const AnalysisQuery& query) {
   if (results[0].descriptors.empty()) {
-    throw usage_error("validity", "no descriptors in these results",
+    throw usage_error("--validity", "no descriptors in these results",
                       "results with scenario descriptors");
   }
   selected_methods(results[0], query.method);

@@ -13,7 +13,7 @@ namespace {
 
 void require_descriptor(const BinSpec& spec) {
   if (spec.kind != BinSpec::Kind::All) return;
-  throw usage_error("map", "'all' is not a descriptor", "bins of two descriptors");
+  throw usage_error("--map", "'all' is not a descriptor", "bins of two descriptors");
 }
 
 void assign_runs(DescriptorMap& map, const ResultTable& table) {
