@@ -65,6 +65,26 @@ TEST_F(Until, StopsWhenAComparisonIsDecidedOrThePoolIsExhausted) {
   EXPECT_NE(result.out.find(" in success: mean advantage "), std::string::npos) << result.out;
   EXPECT_EQ(result.out.substr(0, result.out.find("\n\n")),
             read("out/until.txt").substr(0, result.out.find("\n\n")));
+  const std::string note = "the results decided when the campaign ended, by --until";
+  for (const std::string file : {"out/tables.txt", "out/report/index.html"})
+    EXPECT_NE(read(file).find(note), std::string::npos) << file;
+  for (const std::string verb : {"summary", "compare", "compare --ranks", "table --failures"}) {
+    const std::string json = run("slalom-analyze " + verb + " out/runs.results --json").out;
+    EXPECT_NE(json.find(note), std::string::npos) << verb << json;
+  }
+}
+
+TEST_F(Until, TheFirstScreenDoesNotCallALeadShownThatTheResultsEnded) {
+  // The other method drives to the goal without a scan.
+  write("blind.ini", std::string(kSmallCampaign) +
+                         "[method.blind]\nadapter = library\nplugin = libslalom_go_to_goal.so\n");
+  ASSERT_EQ(run("slalom-evaluate blind.ini -o out --quiet --set campaign.methods=gap,blind --set "
+                "scenarios.count=60 --until 'compare(success, gap, blind) decided'")
+                .status,
+            0);
+  const std::string page = read("out/report/index.html");
+  EXPECT_NE(page.find("but --until chose it by the results"), std::string::npos);
+  EXPECT_EQ(page.find("shown clearly"), std::string::npos);
 }
 
 TEST_F(Until, ComparesInEveryBoundedMetric) {

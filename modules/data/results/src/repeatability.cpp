@@ -45,9 +45,18 @@ std::vector<std::string> repeatability_notes(const ResultTable& table) {
   return notes;
 }
 
+std::string note_on_stopping(const Manifest& manifest) {
+  const auto rule = manifest.find("until");
+  if (rule == manifest.end()) return "";
+  return "the results decided when the campaign ended, by --until \"" + rule->second +
+         "\": p-values and intervals here assume a number of runs that was chosen beforehand; "
+         "until.txt has those of the rule";
+}
+
 std::vector<std::string> notes_on_runs(const ResultTable& table) {
   std::vector<std::string> notes = repeatability_notes(table);
-  if (std::string note = note_on_time(table); !note.empty()) notes.push_back(std::move(note));
+  for (const std::string& note : {note_on_stopping(table.manifest), note_on_time(table)})
+    if (!note.empty()) notes.push_back(note);
   return notes;
 }
 

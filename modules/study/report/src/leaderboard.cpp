@@ -6,6 +6,7 @@
 #include <slalom/analysis/table_types.h>
 #include <slalom/core/text.h>
 #include <slalom/io/svg_scene.h>
+#include <slalom/results/repeatability.h>
 
 #include <fmt/format.h>
 
@@ -284,7 +285,11 @@ Markup Leaderboard::certainty() const {
         "It does better than " + name(1) + ", the second, in " + count_text(more, "scenario") +
         ", and worse in " + std::to_string(fewer) + ": " + advantage_of(*c, name(0)).text + ", " +
         p_text(c->adjusted_p) + ". The lead is " +
-        (beats(0, 1) ? (c->adjusted_p > 0.01 ? "shown, but narrowly." : "shown clearly.")
+        (beats(0, 1)                        ? (!note_on_stopping(input_.runs.manifest).empty()
+                                                   ? "shown for a number of scenarios that was chosen beforehand, but "
+                                                     "--until chose it by the results: see until.txt."
+                                               : c->adjusted_p > 0.01 ? "shown, but narrowly."
+                                                                      : "shown clearly.")
          : c->verdict == Verdict::Identical ? "none: their values are identical."
                                             : "not shown."));
   } else if (rows_.size() > 1) {

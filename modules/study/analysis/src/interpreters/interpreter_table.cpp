@@ -86,7 +86,7 @@ Interpretation interpret(const Interpreter& interpreter, std::vector<ResultTable
   }
   Interpretation found = interpreter.interpret(results, query);
   for (const ResultTable& table : results)
-    for (const std::string& note : repeatability_notes(table))
+    for (const std::string& note : notes_on_runs(table))
       found.remarks.push_back((results.size() > 1 ? table.source + ": " : "") + note);
   found.footnote = privileged_footnote(privileged);
   return found;

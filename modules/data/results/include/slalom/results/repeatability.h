@@ -35,7 +35,11 @@ std::map<std::string, Repeatability> repeatability_of(const Manifest& manifest);
 /// One sentence for each method of the table that is not repeatable.
 std::vector<std::string> repeatability_notes(const ResultTable& table);
 
-/// These, and note_on_time(): what a reader of any value has to know.
+/// Says that the results decided when the campaign ended (--until), which p-values and intervals
+/// do not take into account; empty otherwise.
+std::string note_on_stopping(const Manifest& manifest);
+
+/// These, note_on_stopping() and note_on_time(): what a reader of any value has to know.
 std::vector<std::string> notes_on_runs(const ResultTable& table);
 
 }  // namespace slalom
