@@ -161,6 +161,8 @@ bool Bin::contains(double value) const {
 
 std::string Bin::label() const {
   if (!low && !high) return "all";
+  const bool is_value = closed && *high - *low <= 1e-8 * std::max(std::abs(*low), 1e-3);
+  if (is_value) return format_number(*low);  // all values are equal
   return "[" + format_number(*low) + ", " + format_number(*high) + (closed ? "]" : ")");
 }
 

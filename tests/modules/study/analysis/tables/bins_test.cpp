@@ -5,6 +5,7 @@
 #include <slalom/analysis/bins.h>
 #include <slalom/core/error.h>
 #include <slalom/core/random.h>
+#include <slalom/core/text.h>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,18 @@ TEST(Bins, OfADescriptorAloneAreQuarters) {
   EXPECT_EQ(specs.at(1).descriptor, "density");
   EXPECT_EQ(specs.at(1).kind, BinSpec::Kind::Quantiles);
   EXPECT_EQ(specs.at(1).count, 4);
+}
+
+TEST(Bins, OfEqualValuesIsLabeledWithTheValue) {
+  for (const double value : {144.0, 0.0140625, 0.0, -3.5}) {
+    ResultFixture fixture;
+    fixture.add_scenario(Value::of(value));
+    fixture.add_scenario(Value::of(value));
+    const auto bins = make_bins(parse_bin_spec("density:q4"), fixture.table);
+    ASSERT_EQ(bins.size(), 1u);
+    EXPECT_EQ(bins[0].label(), format_number(value));
+    EXPECT_TRUE(bins[0].contains(value));
+  }
 }
 
 TEST(Bins, AreHalfOpenAndTheLastIsClosed) {

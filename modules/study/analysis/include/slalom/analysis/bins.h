@@ -41,7 +41,7 @@ struct Bin {
   bool closed = false;
 
   bool contains(double value) const;
-  std::string label() const;  ///< e.g. "[0, 0.1)", "all"
+  std::string label() const;  ///< e.g. "[0, 0.1)", "144", "all"
 };
 
 /// The bins of a specification, in increasing order; the last one is closed. For Quantiles and
