@@ -75,7 +75,8 @@ void write_imported(const ResultTable& table, const std::string& path) {
   const auto columns = stored_columns(table);
   std::vector<QuantityInfo> infos;
   for (const auto& [info, column] : columns) infos.push_back(info);
-  if (ResultFile::exists(path)) ResultFile::open(path);  // refuses a file of another kind
+  if (ResultFile::exists(path) && !is_imported(ResultFile::open(path).read_manifest()))
+    throw file_error(path, "contains runs of a campaign", "an imported table, or a new file");
   SiblingTempFile temporary(path);
   ResultFile file = ResultFile::create(temporary.name(), manifest_of(table), {}, infos);
   for (std::size_t i = 0; i < table.scenario_hashes.size(); ++i)

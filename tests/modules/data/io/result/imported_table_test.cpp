@@ -145,6 +145,15 @@ TEST_F(ImportedTable, SaysThatItHasNoScenarios) {
   EXPECT_EQ(error_text(ErrorKind::File, [&] { file.read_references("hall"); }), expected);
 }
 
+TEST_F(ImportedTable, DoesNotReplaceTheRunsOfACampaign) {
+  std::mt19937 random(6);
+  const ResultTable table = random_table(random);
+  ResultFile::create(path_, {{"campaign", "mine"}}, {}, {});
+  EXPECT_EQ(error_text(ErrorKind::File, [&] { write_imported(table, path_); }),
+            path_ + ": contains runs of a campaign; expected an imported table, or a new file");
+  EXPECT_EQ(ResultFile::open(path_).read_manifest().at("campaign"), "mine");
+}
+
 TEST_F(ImportedTable, RefusesTwoRowsOfOneRepetition) {
   std::mt19937 random(5);
   ResultTable table = random_table(random);

@@ -11,8 +11,8 @@ namespace slalom {
 /// table: its rows in their order, its columns under their names, outcomes of foreign tables, and
 /// the notes on how it was read. The file has no scenarios, trajectories, seeds and settings.
 /// Throws Error: Usage, with the run, for two rows of one repetition of a method in a scenario, and
-/// for more columns than a file can have; File for a file of another kind at `path`; Job when it
-/// cannot be written.
+/// for more columns than a file can have; File for a file at `path` that is not an imported table;
+/// Job when it cannot be written.
 void write_imported(const ResultTable& table, const std::string& path);
 
 /// Throws Error (File) at `path` if the manifest is that of one.
