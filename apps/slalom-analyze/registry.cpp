@@ -314,14 +314,17 @@ DataTable table_of(const Group& group) {
   return table;
 }
 
-/// The bundles of a folder and of those in it, by their paths below it, in alphabetical order.
-std::vector<fs::path> bundles_in(const std::string& folder) {
+/// The bundles of a folder and of those in it but the site, by their paths below it, in alphabetical
+/// order.
+std::vector<fs::path> bundles_in(const std::string& folder, const std::string& site) {
   std::vector<fs::path> paths;
-  std::error_code error;
+  std::error_code error, ignored;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
+       entry.increment(error)) {
+    if (fs::equivalent(entry->path(), site, ignored)) entry.disable_recursion_pending();
     if (entry->path().extension() == ".slalom")
       paths.push_back(entry->path().lexically_relative(folder));
+  }
   if (error) throw file_error(folder, "cannot be read (" + error.message() + ")", "a folder");
   if (paths.empty()) throw file_error(folder, "contains no bundles", "files (.slalom)");
   std::sort(paths.begin(), paths.end());
@@ -356,7 +359,7 @@ void registry(const RegistryArguments& arguments) {
       "Each row is repeated by: slalom-simulate verify BUNDLE --fraction 1. Verified: how many "
       "runs "
       "were executed again with identical values, by whoever made this site");
-  for (const fs::path& path : bundles_in(arguments.folder)) {
+  for (const fs::path& path : bundles_in(arguments.folder, arguments.output)) {
     try {
       Entry entry = read_entry(path, arguments);
       publish(entry, arguments);

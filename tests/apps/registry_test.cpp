@@ -106,6 +106,13 @@ TEST_F(Registry, HasATableForEachSetOfScenariosAndSettings) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "site/reports"));
 }
 
+TEST_F(Registry, DoesNotCountItsOwnCopies) {
+  add_entry("a");
+  for (int times = 0; times < 2; ++times)
+    EXPECT_EQ(run("slalom-analyze registry entries -o entries/site --no-reports").out,
+              "entries/site/index.html: 1 table of 1 bundle\n");
+}
+
 TEST_F(Registry, LeavesOutWhatItsOwnVerificationsRefute) {
   add_entry("good");
   add_entry("other", "--set robot.max_v=0.7");
