@@ -186,8 +186,8 @@ SLALOM_LIBRARY_EXPORT int slalom_results_save(const slalom_results* results, con
 
 /* Answers a question about the reliability of a method: `kind` is "limit", "envelope", "risk",
  * "standard" or "tune", `question` an object of the options of slalom-certify or slalom-tune,
- * `method` one of those of slalom_evaluate(). Returns {"certificate", "text"}; with an `output` the
- * certificate is written there. */
+ * `method` one of those of slalom_evaluate(). Returns {"certificate", "text"}; unless `output` is
+ * "", the certificate is written there. */
 SLALOM_LIBRARY_EXPORT char* slalom_certify(const char* kind, const char* question,
                                            const char* method, const slalom_own_methods* own,
                                            const char* settings, int workers, const char* output);
