@@ -45,7 +45,7 @@ void walk(benchmark::State& state, Scenario (*make)(int), PeopleModel model) {
       crowd.decide();
       crowd.move();
     }
-    benchmark::DoNotOptimize(crowd.walkers());
+    benchmark::DoNotOptimize(crowd.states());
   }
   state.counters["updates"] =
       benchmark::Counter(static_cast<double>(state.iterations() * kUpdates * options.count),

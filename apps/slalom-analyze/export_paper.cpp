@@ -35,7 +35,7 @@ std::string scan_text(int rays, double aperture_deg, double max_range) {
   return fmt::format("{} rays over {:.4g} degrees up to {:.6g}~m", rays, aperture_deg, max_range);
 }
 
-/// What measures, and the scan that methods get.
+/// The lasers, and the scan that methods get.
 std::string sensor_text(const SensorModel& sensor) {
   const std::string scan = scan_text(sensor.rays, sensor.aperture_deg, sensor.max_range);
   std::string text = "its laser has " + scan;

@@ -314,8 +314,8 @@ DataTable table_of(const Group& group) {
   return table;
 }
 
-/// The bundles of a folder and of those in it but the site, by their paths below it, in alphabetical
-/// order.
+/// The bundles of a folder and of those in it but the site, by their paths below it, in
+/// alphabetical order.
 std::vector<fs::path> bundles_in(const std::string& folder, const std::string& site) {
   std::vector<fs::path> paths;
   std::error_code error, ignored;

@@ -58,7 +58,7 @@ void run(const RunArguments& arguments) {
     throw Interrupted("finished runs are kept in " + arguments.output +
                       "; the same command continues");
   print_method_failures(report, arguments.output);
-  require_sound_runs(report, arguments.output);
+  require_valid_runs(report, arguments.output);
   if (!arguments.campaign.quiet) std::cerr << "Results: " << arguments.output << "\n";
 }
 

@@ -308,7 +308,7 @@ void print_method_failures(const CampaignReport& report, const std::string& resu
               << " --run RUN\n";
 }
 
-void require_sound_runs(const CampaignReport& report, const std::string& results_path) {
+void require_valid_runs(const CampaignReport& report, const std::string& results_path) {
   if (!report.problem.empty()) throw job_error(results_path, report.problem);
   const std::vector<std::string> methods = report.failures.methods_without_a_sound_run();
   if (!methods.empty())

@@ -25,7 +25,7 @@ class EnvelopeQuestion : public Question {
   void check(const MethodCampaign& campaign, BlockRunner& runner) override;
   Json answer(const MethodCampaign& campaign, BlockRunner& runner) const override;
   Statement statement(const Json& answer) const override;
-  std::string shortfall(const Json& answer) const override;
+  std::string unmet_requirement(const Json& answer) const override;
 
  private:
   RunStream stream(const IniFile& ini, std::size_t row, std::size_t cell) const;
@@ -154,7 +154,7 @@ Json EnvelopeQuestion::answer(const MethodCampaign& campaign, BlockRunner& runne
           {"outcomes", runner.hash_all("envelope/")}};
 }
 
-std::string EnvelopeQuestion::shortfall(const Json& answer) const {
+std::string EnvelopeQuestion::unmet_requirement(const Json& answer) const {
   const double fraction = answer.at("claimed").get<double>() / answer.at("cells").get<double>();
   if (!require_ || fraction >= *require_) return "";
   return "--require " + format_number(*require_) + ": " + answer.at("claim").get<std::string>() +

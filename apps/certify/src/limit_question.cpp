@@ -28,7 +28,7 @@ class LimitQuestion : public Question {
   void check(const MethodCampaign& campaign, BlockRunner& runner) override;
   Json answer(const MethodCampaign& campaign, BlockRunner& runner) const override;
   Statement statement(const Json& answer) const override;
-  std::string shortfall(const Json& answer) const override;
+  std::string unmet_requirement(const Json& answer) const override;
   std::string remark(const Json& answer, const BlockRunner& runner) const override;
 
  private:
@@ -191,7 +191,7 @@ bool LimitQuestion::covers(const Json& limit, double value) const {
   return *parameter_.to > *parameter_.from ? reached >= value : reached <= value;
 }
 
-std::string LimitQuestion::shortfall(const Json& answer) const {
+std::string LimitQuestion::unmet_requirement(const Json& answer) const {
   if (!require_) return "";
   for (const Json& claim : answer.at("claims")) {
     const Json& limit = claim.at("limit");

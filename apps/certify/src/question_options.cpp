@@ -68,8 +68,9 @@ Answer ask_and_print(AskArguments& arguments, AskedQuestion& asked, const std::s
 }
 
 void require_enough(const AskedQuestion& asked, const Answer& answer) {
-  const std::string shortfall = asked.question->shortfall(answer.certificate.at("answer"));
-  if (!shortfall.empty()) throw Error(ErrorKind::Job, shortfall);
+  const std::string unmet_requirement =
+      asked.question->unmet_requirement(answer.certificate.at("answer"));
+  if (!unmet_requirement.empty()) throw Error(ErrorKind::Job, unmet_requirement);
 }
 
 }  // namespace slalom

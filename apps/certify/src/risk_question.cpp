@@ -33,7 +33,7 @@ class RiskQuestion : public Question {
   void check(const MethodCampaign& campaign, BlockRunner& runner) override;
   Json answer(const MethodCampaign& campaign, BlockRunner& runner) const override;
   Statement statement(const Json& answer) const override;
-  std::string shortfall(const Json& answer) const override;
+  std::string unmet_requirement(const Json& answer) const override;
   std::string verify_sample(const MethodCampaign& campaign, const Json& answer, BlockRunner& runner,
                             std::size_t size, RandomEngine& engine) const override;
 
@@ -188,7 +188,7 @@ std::string RiskQuestion::claim_text(const Json& answer) const {
   return what + " <= " + text;
 }
 
-std::string RiskQuestion::shortfall(const Json& answer) const {
+std::string RiskQuestion::unmet_requirement(const Json& answer) const {
   if (!require_ || answer.at("claimed").get<bool>()) return "";
   return "--require: " + answer.at("claim").get<std::string>() + "; expected at most " +
          format_number(*at_most_);

@@ -28,7 +28,7 @@ class StandardQuestion : public Question {
   void check(const MethodCampaign& campaign, BlockRunner& runner) override;
   Json answer(const MethodCampaign& campaign, BlockRunner& runner) const override;
   Statement statement(const Json& answer) const override;
-  std::string shortfall(const Json& answer) const override;
+  std::string unmet_requirement(const Json& answer) const override;
 
  private:
   RunStream stream(const MethodCampaign& campaign, const std::string& family, double speed) const;
@@ -125,7 +125,7 @@ Json StandardQuestion::answer(const MethodCampaign& campaign, BlockRunner& runne
           {"outcomes", runner.hash_all("standard/")}};
 }
 
-std::string StandardQuestion::shortfall(const Json& answer) const {
+std::string StandardQuestion::unmet_requirement(const Json& answer) const {
   if (!require_ || answer.at("passed") == answer.at("tests").size()) return "";
   return "--require: " + answer.at("claim").get<std::string>() + "; expected all";
 }

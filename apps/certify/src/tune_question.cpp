@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "figures.h"
 #include "kinds.h"
-#include "tune_hard_end.h"
+#include "tune_hardest_quartile.h"
 #include "tune_scenarios.h"
 #include "tune_space.h"
 
@@ -36,7 +36,7 @@ class TuneQuestion : public Question {
   void check(const MethodCampaign& campaign, BlockRunner& runner) override;
   Json answer(const MethodCampaign& campaign, BlockRunner& runner) const override;
   Statement statement(const Json& answer) const override;
-  std::string shortfall(const Json& answer) const override;
+  std::string unmet_requirement(const Json& answer) const override;
   std::string metric() const override { return then_; }
 
  private:
@@ -190,8 +190,8 @@ RateEstimate collision_rate(const std::vector<TuneOutcome>& outcomes,
 
 /// Success of the default and the winner in those of the sealed scenarios that are at the hard end
 /// of a descriptor.
-Json hard_end_json(const HardEnd& end, const std::vector<TuneOutcome>& tuned,
-                   const std::vector<TuneOutcome>& standard, const SealedOptions& options) {
+Json hardest_quartile_json(const HardestQuartile& end, const std::vector<TuneOutcome>& tuned,
+                           const std::vector<TuneOutcome>& standard, const SealedOptions& options) {
   Json json = {{"condition", end.condition}};
   for (const auto& [side, all] : {std::pair("default", &standard), {"tuned", &tuned}}) {
     std::vector<TuneOutcome> outcomes;
@@ -231,8 +231,8 @@ Json TuneQuestion::sealed_answer(const MethodCampaign& campaign, const TuneScena
   const auto values = [&](const SharedScenarios& scenarios) {
     return descriptor_values(*scenarios, campaign, stratify_);
   };
-  const auto end =
-      hard_end(stratify_, values(sets.sealed), values(sets.finals), result.candidates[0].finals);
+  const auto end = hardest_quartile(stratify_, values(sets.sealed), values(sets.finals),
+                                    result.candidates[0].finals);
   return {
       {"verdict", claim.verdict() == TuneVerdict::Better ? "better" : "not shown"},
       {"scenarios", claim.scenarios()},
@@ -240,7 +240,8 @@ Json TuneQuestion::sealed_answer(const MethodCampaign& campaign, const TuneScena
       {"default", to_json(claim.reference())},
       {"tuned_counts", to_json(counts_of(outcomes[0]))},
       {"default_counts", to_json(counts_of(outcomes[1]))},
-      {"hard_end", end ? hard_end_json(*end, outcomes[0], outcomes[1], sealed_options()) : Json()},
+      {"hard_end",
+       end ? hardest_quartile_json(*end, outcomes[0], outcomes[1], sealed_options()) : Json()},
       {"more_collisions", shows_more_collisions(outcomes[0], outcomes[1])},
       {"tuned_collisions", to_json(collision_rate(outcomes[0], sealed_options()))},
       {"difference", to_json(claim.difference())},
@@ -262,7 +263,7 @@ Json effects_json(const ParameterSpace& space, const TuneResult& result, double 
 
 /// The values of the options among the configurations that cannot be told from the winner.
 Json equals_json(const ParameterSpace& space, const TuneResult& result, double confidence) {
-  const TuneEquals equals = equals_of_winner(result, confidence);
+  const TiedConfigurations equals = statistically_tied(result, confidence);
   Json options = Json::object();
   for (std::size_t i = 0; i < space.size(); ++i) {
     std::set<double> values;
@@ -294,7 +295,7 @@ Json ids_of(const std::vector<Scenario>& scenarios, const Json& sealed) {
 
 Json TuneQuestion::front_json(const TuneResult& result) const {
   Json front = Json::array();
-  for (const FrontPoint& point : front_of(result)) {
+  for (const FrontPoint& point : pareto_front(result)) {
     const TuneCandidate& one = result.candidates[point.candidate];
     const double difference = less_is_better_ ? point.minus_winner : 0 - point.minus_winner;
     front.push_back({{"configuration", point.candidate},
@@ -342,7 +343,7 @@ Json TuneQuestion::answer(const MethodCampaign& campaign, BlockRunner& runner) c
   return answer;
 }
 
-std::string TuneQuestion::shortfall(const Json& answer) const {
+std::string TuneQuestion::unmet_requirement(const Json& answer) const {
   const bool better = answer.at("verdict") == "better";
   if (!require_ || (better && answer.at("recommendation") == answer.at("winner"))) return "";
   return std::string("--require: the tuned options ") +

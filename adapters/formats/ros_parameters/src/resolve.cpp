@@ -124,7 +124,7 @@ bool is_used(const std::vector<RosParameter>& parameters, const std::string& key
   return true;
 }
 
-/// Without the last digits, which are those of products of numbers of the file.
+/// The number without its last digits, which are those of products of numbers of the file.
 std::string decimal(double number) {
   return fmt::format("{:.12g}", number);
 }

@@ -34,13 +34,12 @@ bool drop_via_points(Shrinker& shrinker, std::size_t person) {
 bool move_goal_nearer(Shrinker& shrinker, std::size_t person) {
   constexpr std::array kFractions = {0.3, 0.5, 0.7, 0.85};
   constexpr double kShortest = 0.5;  // m; a person whose way is shorter hardly walks
-  const Person walker = shrinker.scenario().people()[person];
-  const TPoint2D from =
-      walker.route.size() > 1 ? walker.route[walker.route.size() - 2] : walker.start;
-  const TPoint2D way = walker.route.back() - from;
+  const Person one = shrinker.scenario().people()[person];
+  const TPoint2D from = one.route.size() > 1 ? one.route[one.route.size() - 2] : one.start;
+  const TPoint2D way = one.route.back() - from;
   return std::any_of(kFractions.begin(), kFractions.end(), [&](double fraction) {
     if (way.norm() * fraction < kShortest) return false;
-    Route route = walker.route;
+    Route route = one.route;
     route.back() = from + way * fraction;
     return replace_route(shrinker, person, std::move(route));
   });

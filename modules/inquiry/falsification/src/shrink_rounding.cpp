@@ -65,13 +65,13 @@ Rounding of_person(std::size_t person) {
   return [person](const Scenario& scenario, double unit) {
     constexpr double kCoarsest = 0.05;
     People people = scenario.people();
-    Person& walker = people[person];
-    walker.start = rounded(walker.start, unit);
-    for (TPoint2D& point : walker.route) point = rounded(point, unit);
-    walker.begin = rounded(walker.begin, unit);
+    Person& one = people[person];
+    one.start = rounded(one.start, unit);
+    for (TPoint2D& point : one.route) point = rounded(point, unit);
+    one.begin = rounded(one.begin, unit);
     const double fine = std::min(unit, kCoarsest);
-    walker.radius = std::max(fine, rounded(walker.radius, fine));
-    walker.speed = std::max(fine, rounded(walker.speed, fine));
+    one.radius = std::max(fine, rounded(one.radius, fine));
+    one.speed = std::max(fine, rounded(one.speed, fine));
     return scenario.with_people(std::move(people));
   };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "failure_test.h"
+#include "failure_hypothesis.h"
 
 #include <functional>
 #include <set>

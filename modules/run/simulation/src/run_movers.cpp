@@ -32,7 +32,7 @@ RunMovers::RunMovers(const World& world, const Footprint& footprint, const Peopl
 Hindrances RunMovers::hindrances() const {
   Hindrances hindrances;
   if (!crowd_) return hindrances;
-  for (const Walker& walker : crowd_->walkers()) hindrances.push_back(walker.hindrance);
+  for (const PersonState& state : crowd_->states()) hindrances.push_back(state.hindrance);
   if (settings_.until_arrival > 0) add_delays(hindrances);
   if (!is_noticed_) return hindrances;
   const std::vector<double>& alone = alone_->covered(crowd_->updates());

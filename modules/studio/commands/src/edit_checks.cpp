@@ -77,7 +77,7 @@ void expect_free(const Scenario& scenario, const std::string& what, const TPoint
     refuse_edit(scenario, what + " at " + point_text(p) + " is on an obstacle", "a free point");
 }
 
-void expect_uncovered(const Scenario& before, const Scenario& after) {
+void require_free_start_goal(const Scenario& before, const Scenario& after) {
   const std::pair<const char*, TPoint2D> points[] = {{"start", start_position(after)},
                                                      {"goal", after.goal()}};
   for (const auto& [what, p] : points)

@@ -22,6 +22,6 @@ void expect_inside(const Scenario& scenario, const std::string& what,
                    const mrpt::math::TPoint2D& p);
 void expect_free(const Scenario& scenario, const std::string& what, const mrpt::math::TPoint2D& p);
 /// Rejects an edit that covers the start or goal with an obstacle, unless it was covered before.
-void expect_uncovered(const Scenario& before, const Scenario& after);
+void require_free_start_goal(const Scenario& before, const Scenario& after);
 
 }  // namespace slalom

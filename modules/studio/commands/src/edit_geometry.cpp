@@ -74,7 +74,7 @@ Scenario with_primitives(const Scenario& scenario, Primitives obstacles) {
   Scenario edited = Scenario::continuous(scenario.name(), scenario.bounds(), std::move(obstacles),
                                          scenario.start(), scenario.goal())
                         .with_rest_of(scenario);
-  expect_uncovered(scenario, edited);
+  require_free_start_goal(scenario, edited);
   return edited;
 }
 

@@ -99,7 +99,7 @@ Scenario with_cells_painted(const Scenario& scenario, const Stroke& stroke, bool
   });
   Scenario edited = Scenario::grid(scenario.name(), map, scenario.start(), scenario.goal())
                         .with_rest_of(scenario);
-  expect_uncovered(scenario, edited);
+  require_free_start_goal(scenario, edited);
   return edited;
 }
 

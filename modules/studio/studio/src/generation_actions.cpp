@@ -58,13 +58,13 @@ void show_added(Studio& studio, AddedScenarios& added, const std::string& list) 
   studio.events().show_status(added_text(added.count, list));
 }
 
-using CreateList = std::function<MadeList(Progress&)>;
+using CreateList = std::function<NewList(Progress&)>;
 
 /// Creates scenarios and adds them to their target, in a worker thread. Returns the work for the
 /// thread of the window.
 Jobs::Delivery create_and_add(Studio& studio, const std::string& list, const CreateList& create,
                               Progress& progress) {
-  const MadeList made = create(progress);
+  const NewList made = create(progress);
   // Shared, because deliveries are copied and the command cannot be. Null without new scenarios.
   std::shared_ptr<AddedScenarios> added;
   if (made.staging != nullptr)

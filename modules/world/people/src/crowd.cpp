@@ -69,12 +69,12 @@ Crowd::Crowd(const World& world, const People& people, const PeopleSettings& set
       people_(checked(world, people)),
       settings_(settings),
       walls_(world.occupancy(), wall_reach(people, settings)),
-      walkers_(people.size()),
+      states_(people.size()),
       plans_(people.size()),
       intents_(people.size()),
       by_id_(people.size()) {
   for (std::size_t i = 0; i < people.size(); ++i)
-    walkers_[i].disc = {people[i].start, {0, 0}, people[i].radius};
+    states_[i].disc = {people[i].start, {0, 0}, people[i].radius};
   std::iota(by_id_.begin(), by_id_.end(), std::size_t{0});
   std::sort(by_id_.begin(), by_id_.end(),
             [&](std::size_t a, std::size_t b) { return people[a].id < people[b].id; });
@@ -85,7 +85,7 @@ Crowd::Crowd(const World& world, const People& people, const PeopleSettings& set
 
 /// One field for all people of a radius who go to a point.
 void Crowd::plan_routes() {
-  std::map<std::tuple<double, double, double>, std::shared_ptr<const RouteField>> fields;
+  std::map<std::tuple<double, double, double>, std::shared_ptr<const CostToGoField>> fields;
   for (std::size_t i = 0; i < people_.size(); ++i) {
     const Person& person = people_[i];
     Plan& plan = plans_[i];
@@ -98,7 +98,7 @@ void Crowd::plan_routes() {
       }
       auto& field = fields[{station.x, station.y, person.radius}];
       if (!field)
-        field = std::make_shared<RouteField>(world_, station, person.radius, settings_.side);
+        field = std::make_shared<CostToGoField>(world_, station, person.radius, settings_.side);
       plan.fields.push_back(field);
     }
     plan.leg = rest(i);
@@ -107,8 +107,8 @@ void Crowd::plan_routes() {
 
 /// m, of the way to the next station.
 double Crowd::rest(std::size_t i) const {
-  const RouteField& field = *plans_[i].fields[plans_[i].next];
-  const TPoint2D& here = walkers_[i].disc.position;
+  const CostToGoField& field = *plans_[i].fields[plans_[i].next];
+  const TPoint2D& here = states_[i].disc.position;
   return field.length(here, field.target(here, plans_[i].aim));
 }
 
@@ -122,38 +122,38 @@ void Crowd::set_next(std::size_t i, std::size_t station) {
 
 double Crowd::covered(std::size_t i) const {
   const Plan& plan = plans_[i];
-  return walkers_[i].departure ? plan.covered : plan.covered + plan.leg - rest(i);
+  return states_[i].departure ? plan.covered : plan.covered + plan.leg - rest(i);
 }
 
 bool Crowd::is_free(std::size_t i, const std::optional<RobotDisc>& robot) const {
   const CrowdDisc* const noticed = noticed_by(i, robot);
-  if (noticed && gap_between(walkers_[i].disc, *noticed) < 0) return false;
-  return std::none_of(walkers_.begin(), walkers_.end(), [&](const Walker& other) {
-    return other.is_present && gap_between(walkers_[i].disc, other.disc) < 0;
+  if (noticed && gap_between(states_[i].disc, *noticed) < 0) return false;
+  return std::none_of(states_.begin(), states_.end(), [&](const PersonState& other) {
+    return other.is_present && gap_between(states_[i].disc, other.disc) < 0;
   });
 }
 
 /// Passes via points, and arrives: near the goal, or near a robot that covers it.
 void Crowd::advance(std::size_t i, const std::optional<RobotDisc>& robot) {
   constexpr double kBeside = 0.3;  // m
-  Walker& walker = walkers_[i];
+  PersonState& state = states_[i];
   Plan& plan = plans_[i];
   const std::size_t last = plan.back ? 0 : plan.stations.size() - 1;
-  const auto distance = [&] { return norm(plan.stations[plan.next] - walker.disc.position); };
+  const auto distance = [&] { return norm(plan.stations[plan.next] - state.disc.position); };
   while (plan.next != last && distance() < 2 * settings_.goal_tolerance)
     set_next(i, plan.back ? plan.next - 1 : plan.next + 1);
   plan.is_beside = false;
   if (plan.next != last) return;
   const CrowdDisc* const noticed = noticed_by(i, robot);
-  const double both = noticed ? noticed->radius + walker.disc.radius : 0;
+  const double both = noticed ? noticed->radius + state.disc.radius : 0;
   const bool is_covered = noticed && norm(plan.stations[last] - noticed->position) < both;
   plan.is_beside = is_covered && distance() < both + kBeside;
   if (!plan.is_beside && distance() > settings_.goal_tolerance) return;
-  if (!walker.arrival) walker.arrival = time();
+  if (!state.arrival) state.arrival = time();
   if (people_[i].after == PersonEnd::Vanish) {
     plan.covered = covered(i);
-    walker.is_present = false;
-    walker.departure = time();
+    state.is_present = false;
+    state.departure = time();
   } else if (people_[i].after == PersonEnd::Return) {
     plan.back = !plan.back;
     set_next(i, plan.back ? plan.stations.size() - 2 : 1);
@@ -164,7 +164,7 @@ void Crowd::advance(std::size_t i, const std::optional<RobotDisc>& robot) {
 Crowd::Intent Crowd::intent_of(std::size_t i) const {
   constexpr double kSlowing = 1;  // s
   const Plan& plan = plans_[i];
-  const TPoint2D& here = walkers_[i].disc.position;
+  const TPoint2D& here = states_[i].disc.position;
   if (plan.is_beside) return {here, {0, 0}};
   const double speed = people_[i].speed;
   const TPoint2D target = plan.fields[plan.next]->target(here, plan.aim);
@@ -180,7 +180,7 @@ Crowd::Intent Crowd::intent_of(std::size_t i) const {
 /// these stand by choice or want to get behind them.
 bool Crowd::is_held_up(std::size_t i, const std::optional<RobotDisc>& robot) const {
   constexpr double kNearGoal = 1;  // m
-  const CrowdDisc& self = walkers_[i].disc;
+  const CrowdDisc& self = states_[i].disc;
   const TPoint2D& way = intents_[i].velocity;
   const double slow = 0.5 * people_[i].speed;
   if (!(norm(self.velocity) < slow) ||
@@ -197,8 +197,8 @@ bool Crowd::is_held_up(std::size_t i, const std::optional<RobotDisc>& robot) con
     if (holds_up(*noticed, {noticed->position + noticed->velocity * kForesight, noticed->velocity}))
       return true;
   }
-  for (std::size_t j = 0; j < walkers_.size(); ++j)
-    if (j != i && walkers_[j].is_present && holds_up(walkers_[j].disc, intents_[j])) return true;
+  for (std::size_t j = 0; j < states_.size(); ++j)
+    if (j != i && states_[j].is_present && holds_up(states_[j].disc, intents_[j])) return true;
   return false;
 }
 
@@ -242,19 +242,19 @@ void Crowd::look_at(Neighbor neighbor, double sight) {
   if (neighbor.is_visible || neighbor.keeps_apart) around_.neighbors.push_back(neighbor);
 }
 
-void Crowd::look_around(std::size_t i, bool apart, const std::optional<RobotDisc>& robot) {
-  const Walker& walker = walkers_[i];
-  around_.self = walker.disc;
+void Crowd::gather_neighbors(std::size_t i, bool apart, const std::optional<RobotDisc>& robot) {
+  const PersonState& state = states_[i];
+  around_.self = state.disc;
   around_.rank = plans_[i].rank;
-  around_.wanted = walker.wanted;
+  around_.wanted = state.wanted;
   around_.max_speed = people_[i].speed * settings_.haste;
   around_.neighbors.clear();
   look_at_walls();
-  const double reach = walker.disc.radius + reach_of(people_[i], settings_);
-  for (std::size_t j = 0; j < walkers_.size(); ++j)
-    if (j != i && walkers_[j].is_present)
-      look_at({walkers_[j].disc, plans_[j].rank, 0.5, true, apart},
-              std::min(settings_.sight, reach + walkers_[j].disc.radius));
+  const double reach = state.disc.radius + reach_of(people_[i], settings_);
+  for (std::size_t j = 0; j < states_.size(); ++j)
+    if (j != i && states_[j].is_present)
+      look_at({states_[j].disc, plans_[j].rank, 0.5, true, apart},
+              std::min(settings_.sight, reach + states_[j].disc.radius));
   if (const CrowdDisc* const noticed = noticed_by(i, robot))
     look_at({*noticed, kRobotRank, settings_.share, true, true},
             std::min(settings_.sight, reach + noticed->radius));
@@ -262,7 +262,7 @@ void Crowd::look_around(std::size_t i, bool apart, const std::optional<RobotDisc
 }
 
 TPoint2D Crowd::choose(std::size_t i, bool apart, const std::optional<RobotDisc>& robot) {
-  look_around(i, apart, robot);
+  gather_neighbors(i, apart, robot);
   if (robot)
     intents_[i].robot_in_reach =
         std::any_of(around_.neighbors.begin(), around_.neighbors.end(),
@@ -273,16 +273,16 @@ TPoint2D Crowd::choose(std::size_t i, bool apart, const std::optional<RobotDisc>
 
 /// Exact: the motions are straight.
 bool Crowd::would_touch(std::size_t i) const {
-  const CrowdDisc& self = walkers_[i].disc;
-  for (std::size_t j = 0; j < walkers_.size(); ++j) {
-    const CrowdDisc& other = walkers_[j].disc;
-    if (j == i || !walkers_[j].is_present) continue;
+  const CrowdDisc& self = states_[i].disc;
+  for (std::size_t j = 0; j < states_.size(); ++j) {
+    const CrowdDisc& other = states_[j].disc;
+    if (j == i || !states_[j].is_present) continue;
     const TPoint2D from = other.position - self.position;
     const double radius = self.radius + other.radius;
     const double reach =
         radius + (people_[i].speed + people_[j].speed) * settings_.haste * settings_.period;
     if (dot(from, from) >= reach * reach) continue;
-    const TPoint2D to = from + (walkers_[j].chosen - walkers_[i].chosen) * settings_.period;
+    const TPoint2D to = from + (states_[j].chosen - states_[i].chosen) * settings_.period;
     if (norm(nearest_on_segment({0, 0}, from, to)) < radius) return true;
   }
   return false;
@@ -291,43 +291,43 @@ bool Crowd::would_touch(std::size_t i) const {
 /// People who would touch another one decide again, until nobody would. The set only grows: there
 /// are at most as many rounds as people, and their order does not matter.
 std::vector<bool> Crowd::keep_apart(const std::optional<RobotDisc>& robot) {
-  std::vector<bool> again(walkers_.size());
+  std::vector<bool> again(states_.size());
   if (!settings_.keep_apart) return again;
   for (std::vector<std::size_t> more;; more.clear()) {
-    for (std::size_t i = 0; i < walkers_.size(); ++i)
-      if (walkers_[i].is_present && !again[i] && would_touch(i)) more.push_back(i);
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      if (states_[i].is_present && !again[i] && would_touch(i)) more.push_back(i);
     if (more.empty()) return again;
     for (const std::size_t i : more) {
       again[i] = true;
-      walkers_[i].chosen = choose(i, true, robot);
+      states_[i].chosen = choose(i, true, robot);
     }
   }
 }
 
 /// Among the others as they decided with it.
 TPoint2D Crowd::choose_without_robot(std::size_t i, bool apart) {
-  Walker& walker = walkers_[i];
-  const TPoint2D wanted = walker.wanted, chosen = walker.chosen;
-  walker.wanted = wanted_velocity(i, {});
-  walker.chosen = choose(i, apart, {});
-  if (settings_.keep_apart && !apart && would_touch(i)) walker.chosen = choose(i, true, {});
-  const TPoint2D without = walker.chosen;
-  walker.wanted = wanted;
-  walker.chosen = chosen;
+  PersonState& state = states_[i];
+  const TPoint2D wanted = state.wanted, chosen = state.chosen;
+  state.wanted = wanted_velocity(i, {});
+  state.chosen = choose(i, apart, {});
+  if (settings_.keep_apart && !apart && would_touch(i)) state.chosen = choose(i, true, {});
+  const TPoint2D without = state.chosen;
+  state.wanted = wanted;
+  state.chosen = chosen;
   return without;
 }
 
 /// Who has arrived is not hindered. The robot is in reach also if it only holds the person up.
 void Crowd::add_hindrance(std::size_t i, bool apart, const std::optional<RobotDisc>& robot) {
   if (noticed_by(i, robot) == nullptr) return;
-  Walker& walker = walkers_[i];
-  Hindrance& hindrance = walker.hindrance;
+  PersonState& state = states_[i];
+  Hindrance& hindrance = state.hindrance;
   hindrance.is_noticed = true;
   const bool in_reach = intents_[i].robot_in_reach || (is_held_up(i, robot) && !is_held_up(i, {}));
-  const TPoint2D way = intents_[i].target - walker.disc.position;
+  const TPoint2D way = intents_[i].target - state.disc.position;
   const double length = norm(way);
   if (!in_reach || length <= 0) return;
-  const TPoint2D change = choose_without_robot(i, apart) - walker.chosen;
+  const TPoint2D change = choose_without_robot(i, apart) - state.chosen;
   ++hindrance.updates;
   hindrance.time += dot(change, way) / length * settings_.period / people_[i].speed;
   hindrance.speed_change += norm(change);
@@ -336,32 +336,32 @@ void Crowd::add_hindrance(std::size_t i, bool apart, const std::optional<RobotDi
 void Crowd::decide(const std::optional<RobotDisc>& robot) {
   constexpr double kRounding = 1e-9;  // s
   for (const std::size_t i : by_id_) {
-    Walker& walker = walkers_[i];
-    if (walker.is_present)
+    PersonState& state = states_[i];
+    if (state.is_present)
       advance(i, robot);
-    else if (!walker.departure && time() >= people_[i].begin - kRounding && is_free(i, robot))
-      walker.is_present = true;
+    else if (!state.departure && time() >= people_[i].begin - kRounding && is_free(i, robot))
+      state.is_present = true;
   }
-  for (std::size_t i = 0; i < walkers_.size(); ++i)
-    if (walkers_[i].is_present) {
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].is_present) {
       intents_[i] = intent_of(i);
       if (!plans_[i].is_beside) plans_[i].aim = intents_[i].target;
     }
-  for (std::size_t i = 0; i < walkers_.size(); ++i)
-    if (walkers_[i].is_present) walkers_[i].wanted = wanted_velocity(i, robot);
-  for (std::size_t i = 0; i < walkers_.size(); ++i)
-    if (walkers_[i].is_present) walkers_[i].chosen = choose(i, false, robot);
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].is_present) states_[i].wanted = wanted_velocity(i, robot);
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].is_present) states_[i].chosen = choose(i, false, robot);
   const std::vector<bool> apart = keep_apart(robot);
-  for (std::size_t i = 0; i < walkers_.size(); ++i)
-    if (walkers_[i].is_present) add_hindrance(i, apart[i], robot);
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].is_present) add_hindrance(i, apart[i], robot);
 }
 
 void Crowd::move() {
-  for (std::size_t i = 0; i < walkers_.size(); ++i) {
-    Walker& walker = walkers_[i];
-    if (!walker.is_present) continue;
-    walker.disc.velocity = walker.chosen;
-    walker.disc.position += walker.chosen * settings_.period;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    PersonState& state = states_[i];
+    if (!state.is_present) continue;
+    state.disc.velocity = state.chosen;
+    state.disc.position += state.chosen * settings_.period;
   }
   ++updates_;
 }

@@ -44,7 +44,7 @@ VelocityBound parting(const TPoint2D& offset, const TPoint2D& v, const TPoint2D&
 
 }  // namespace
 
-TPoint2D orca_velocity(const Surroundings& around, const PeopleSettings& settings) {
+TPoint2D orca_velocity(const Neighborhood& around, const PeopleSettings& settings) {
   std::vector<VelocityBound> bounds = hard_bounds(around, settings);
   const std::size_t hard = bounds.size();
   const CrowdDisc& self = around.self;

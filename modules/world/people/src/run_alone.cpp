@@ -58,13 +58,13 @@ CrowdRecord::CrowdRecord(const People& people, double horizon, Movers others)
 }
 
 void CrowdRecord::add(const Crowd& crowd) {
-  for (std::size_t i = 0; i < crowd.walkers().size(); ++i) {
-    const Walker& walker = crowd.walkers()[i];
-    const bool vanishes = walker.departure && *walker.departure == crowd.time();
-    if (!walker.is_present && !vanishes) continue;
+  for (std::size_t i = 0; i < crowd.states().size(); ++i) {
+    const PersonState& state = crowd.states()[i];
+    const bool vanishes = state.departure && *state.departure == crowd.time();
+    if (!state.is_present && !vanishes) continue;
     Mover& mover = movers_[first_ + i];
     std::vector<Waypoint>& waypoints = mover.waypoints;
-    const Waypoint here{crowd.time(), walker.disc.position};
+    const Waypoint here{crowd.time(), state.disc.position};
     // The one of who had not appeared, or of the last motion.
     if (!waypoints.empty() && waypoints.back().t >= here.t) waypoints.pop_back();
     const std::size_t n = waypoints.size();
@@ -77,8 +77,8 @@ void CrowdRecord::add(const Crowd& crowd) {
 
 Arrivals arrivals_in(const Crowd& crowd, double until) {
   Arrivals arrivals;
-  for (const Walker& walker : crowd.walkers())
-    arrivals.push_back(walker.arrival && *walker.arrival <= until ? walker.arrival : std::nullopt);
+  for (const PersonState& state : crowd.states())
+    arrivals.push_back(state.arrival && *state.arrival <= until ? state.arrival : std::nullopt);
   return arrivals;
 }
 
@@ -103,7 +103,7 @@ const std::vector<double>& PeopleAlone::covered(int updates) {
   for (;; now_.decide(), now_.move()) {
     if (static_cast<std::size_t>(now_.updates()) == covered_.size()) {
       std::vector<double>& covered = covered_.emplace_back();
-      for (std::size_t i = 0; i < now_.walkers().size(); ++i) covered.push_back(now_.covered(i));
+      for (std::size_t i = 0; i < now_.states().size(); ++i) covered.push_back(now_.covered(i));
     }
     if (now_.updates() >= updates) return covered_.at(static_cast<std::size_t>(updates));
   }

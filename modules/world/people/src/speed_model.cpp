@@ -29,7 +29,7 @@ struct Repulsion {
 constexpr Repulsion kOthers{8, 0.1}, kWalls{5, 0.05};
 static_assert(10 * kOthers.decay <= kRepulsionReach && 10 * kWalls.decay <= kRepulsionReach);
 
-TPoint2D direction(const Surroundings& around, const TPoint2D& wanted) {
+TPoint2D direction(const Neighborhood& around, const TPoint2D& wanted) {
   constexpr double kNone = 1e-9;
   TPoint2D push(0, 0);
   for (const WallPoint& wall : around.walls)
@@ -44,7 +44,7 @@ TPoint2D direction(const Surroundings& around, const TPoint2D& wanted) {
 }
 
 /// m, to the nearest neighbor whose disc is met in this direction.
-double gap_ahead(const Surroundings& around, const TPoint2D& direction) {
+double gap_ahead(const Neighborhood& around, const TPoint2D& direction) {
   double gap = std::numeric_limits<double>::infinity();
   for (const Neighbor& neighbor : around.neighbors) {
     if (!neighbor.is_visible) continue;
@@ -58,7 +58,7 @@ double gap_ahead(const Surroundings& around, const TPoint2D& direction) {
 
 }  // namespace
 
-TPoint2D speed_velocity(const Surroundings& around, const PeopleSettings& settings) {
+TPoint2D speed_velocity(const Neighborhood& around, const PeopleSettings& settings) {
   const double speed = norm(around.wanted);
   if (speed <= 0) return {0, 0};
   const TPoint2D ahead = direction(around, around.wanted * (1 / speed));

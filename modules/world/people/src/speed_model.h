@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <slalom/people/surroundings.h>
+#include <slalom/people/neighborhood.h>
 
 namespace slalom {
 
@@ -12,6 +12,6 @@ constexpr double kRepulsionReach = 1;
 /// direction, repelled by neighbors and walls; the speed at which a time gap remains to the nearest
 /// neighbor ahead. In a single file of density rho the speed is (1 / rho - 2 radius) / time gap.
 /// Requires neighbors and walls that are sorted by place.
-mrpt::math::TPoint2D speed_velocity(const Surroundings& around, const PeopleSettings& settings);
+mrpt::math::TPoint2D speed_velocity(const Neighborhood& around, const PeopleSettings& settings);
 
 }  // namespace slalom

@@ -263,9 +263,9 @@ TEST(People, ArriveLaterThanWithoutTheRobot) {
   // A crowd with the robot where it stands arrives as late.
   Crowd crowd(world, world.scenario().people(), setup.people);
   const RobotDisc robot{{{5, 5}, {0, 0}, 0.2}, {true, true}};
-  for (; !crowd.walkers()[0].arrival; crowd.move()) crowd.decide(robot);
+  for (; !crowd.states()[0].arrival; crowd.move()) crowd.decide(robot);
   PeopleAlone alone(world, setup.people);
-  EXPECT_EQ(*anna.delay, *crowd.walkers()[0].arrival - *alone.arrivals(30)[0]);
+  EXPECT_EQ(*anna.delay, *crowd.states()[0].arrival - *alone.arrivals(30)[0]);
   Hindrances again;
   movers_along(world, setup.robot, setup.simulation, result.trajectory, setup.people, &again);
   EXPECT_EQ(again, result.hindrances);

@@ -127,7 +127,7 @@ TEST(GenerationRequest, MakesTheSameListAsTheSameIni) {
                       {"representation", "grid"}};
   const GenerationRequest request = read_random_generation(random_values(typed));
   const auto silent = make_silent_progress();
-  const MadeList made = generate(request, {}, *silent);
+  const NewList made = generate(request, {}, *silent);
   EXPECT_EQ(made.size, 4U);
   EXPECT_EQ(made.staging, nullptr);
   const IniFile ini = IniFile::from_text(
@@ -145,7 +145,7 @@ TEST(GenerationRequest, FillsBinsInAStagingListWithAReport) {
   const GenerationRequest request = read_bins_generation(
       bins_values({{"descriptors", "density"}, {"edges.density", "0, 0.1, 0.3"}}));
   const auto silent = make_silent_progress();
-  const MadeList made = generate(request, {}, *silent);
+  const NewList made = generate(request, {}, *silent);
   ASSERT_NE(made.staging, nullptr);
   ASSERT_GT(made.size, 0U);
   EXPECT_NE(made.report.find("density 0.1 to 0.3: 1 of 1, full"), std::string::npos) << made.report;

@@ -43,10 +43,10 @@ inline Person walker(std::size_t i, const mrpt::math::TPoint2D& start,
 /// m, the least gap between two people from this update to the next one.
 inline double least_gap(const Crowd& crowd, double period) {
   double least = std::numeric_limits<double>::infinity();
-  const std::vector<Walker>& walkers = crowd.walkers();
+  const std::vector<PersonState>& walkers = crowd.states();
   for (std::size_t i = 0; i < walkers.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const Walker &a = walkers[i], &b = walkers[j];
+      const PersonState &a = walkers[i], &b = walkers[j];
       if (!a.is_present || !b.is_present) continue;
       const mrpt::math::TPoint2D from = b.disc.position - a.disc.position;
       const auto nearest = nearest_on_segment({0, 0}, from, from + (b.chosen - a.chosen) * period);
@@ -71,7 +71,7 @@ inline CrowdResult run_crowd(const World& world, const People& people,
     crowd.decide();
     result.gap = std::min(result.gap, least_gap(crowd, settings.period));
     result.arrived = 0;
-    for (const Walker& walker : crowd.walkers()) {
+    for (const PersonState& walker : crowd.states()) {
       if (walker.is_present)
         result.wall_gap =
             std::min(result.wall_gap,

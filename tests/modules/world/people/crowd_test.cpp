@@ -56,7 +56,7 @@ TEST(Crowd, CoversItsRouteAtItsSpeed) {
 TEST(Crowd, HasCoveredItsRouteWhenItVanishes) {
   const World world = world_with({-5, -5, 5, 5}, {rectangle(-0.1, -5, 0.1, 1)}, 0.1);
   Crowd crowd(world, {walker(0, {-2, 0}, {{2, 0}}, PersonEnd::Vanish)}, {});
-  for (; !crowd.walkers()[0].departure; crowd.move()) crowd.decide();
+  for (; !crowd.states()[0].departure; crowd.move()) crowd.decide();
   // Around the end of the wall, at the radius from it, up to the tolerance of the goal.
   const double shortest = 2 * std::hypot(1.9, 1.25) + 0.2 - 0.3;
   EXPECT_GE(crowd.covered(0), shortest);
@@ -156,8 +156,8 @@ TEST(Crowd, DoesNotNoticePeopleBehindAWall) {
         crowd->decide();
         crowd->move();
       }
-      EXPECT_EQ(one.walkers()[0].disc.position.x, two.walkers()[0].disc.position.x);
-      EXPECT_EQ(one.walkers()[0].disc.position.y, two.walkers()[0].disc.position.y);
+      EXPECT_EQ(one.states()[0].disc.position.x, two.states()[0].disc.position.x);
+      EXPECT_EQ(one.states()[0].disc.position.y, two.states()[0].disc.position.y);
     }
   }
 }
@@ -170,10 +170,10 @@ TEST(Crowd, ArrivesBesideARobotThatCoversTheGoal) {
     for (int k = 0; k < 600; ++k) {
       crowd.decide(RobotDisc{{{0.1, 0}, {0, 0}, 0.3}, {true}});
       crowd.move();
-      walked += crowd.walkers()[0].disc.velocity.norm() * 0.1;
+      walked += crowd.states()[0].disc.velocity.norm() * 0.1;
     }
-    ASSERT_TRUE(crowd.walkers()[0].arrival);
-    EXPECT_LT(*crowd.walkers()[0].arrival, 10);
+    ASSERT_TRUE(crowd.states()[0].arrival);
+    EXPECT_LT(*crowd.states()[0].arrival, 10);
     EXPECT_LT(walked, 4.5);  // 3.15 m up to the place beside the robot, and around others
   }
 }
@@ -211,8 +211,8 @@ std::optional<Contact> first_contact(const Crowd& crowd, const CrowdDisc& robot,
                                      const TPoint2D& velocity, double period) {
   constexpr double kTouching = 1e-9;  // m
   std::optional<Contact> first;
-  for (std::size_t i = 0; i < crowd.walkers().size(); ++i) {
-    const Walker& walker = crowd.walkers()[i];
+  for (std::size_t i = 0; i < crowd.states().size(); ++i) {
+    const PersonState& walker = crowd.states()[i];
     const auto range =
         range_within(walker.disc.position - robot.position, (walker.chosen - velocity) * period,
                      walker.disc.radius + robot.radius - kTouching);
@@ -235,7 +235,7 @@ bool contact_by_robot(Robot kind, PeopleModel model, unsigned k) {
     crowd.decide(RobotDisc{robot, std::vector<bool>(people.size(), true)});
     const TPoint2D velocity = robot_velocity(kind, robot, step, random);
     if (const auto contact = first_contact(crowd, robot, velocity, settings.period)) {
-      const Walker& walker = crowd.walkers()[contact->person];
+      const PersonState& walker = crowd.states()[contact->person];
       const TPoint2D offset = walker.disc.position - robot.position;
       const double half = (offset.norm() - robot.radius - walker.disc.radius) / 2;
       const auto advance = [&](const TPoint2D& v) {
@@ -282,8 +282,8 @@ TEST(Crowd, WalksAsAloneIfNobodyNoticesTheRobot) {
       with.move();
       robot.position.y += 0.1;
       for (std::size_t i = 0; i < people.size(); ++i) {
-        EXPECT_EQ(alone.walkers()[i].disc.position.x, with.walkers()[i].disc.position.x);
-        EXPECT_EQ(alone.walkers()[i].disc.position.y, with.walkers()[i].disc.position.y);
+        EXPECT_EQ(alone.states()[i].disc.position.x, with.states()[i].disc.position.x);
+        EXPECT_EQ(alone.states()[i].disc.position.y, with.states()[i].disc.position.y);
       }
     }
   }

@@ -58,7 +58,7 @@ inline People people_of_case(unsigned k) {
 /// The velocity by ORCA of CrowdNav's robot among people as it sees them.
 inline mrpt::math::TPoint2D crowdnav_velocity(const CrowdDisc& robot,
                                               const std::vector<CrowdDisc>& people) {
-  Surroundings around;
+  Neighborhood around;
   around.self = robot;
   around.rank = -1;
   around.max_speed = 1;

@@ -12,7 +12,7 @@ using mrpt::math::TPoint2D;
 enum class Rule { PeriodBefore, Exact };
 
 bool collides(const CrowdDisc& robot, const TPoint2D& velocity, const Crowd& crowd, Rule rule) {
-  for (const Walker& walker : crowd.walkers()) {
+  for (const PersonState& walker : crowd.states()) {
     const TPoint2D from = walker.disc.position - robot.position;
     const TPoint2D& other = rule == Rule::Exact ? walker.chosen : walker.disc.velocity;
     const TPoint2D to = from + (other - velocity) * kPeriod;
@@ -35,7 +35,7 @@ void run_case(const World& world, unsigned k, bool is_noticed, Rule rule, Counts
   for (;;) {
     crowd.decide(RobotDisc{robot, std::vector<bool>(people.size(), is_noticed)});
     std::vector<CrowdDisc> seen;
-    for (const Walker& walker : crowd.walkers()) seen.push_back(walker.disc);
+    for (const PersonState& walker : crowd.states()) seen.push_back(walker.disc);
     const TPoint2D velocity = crowdnav_velocity(robot, seen);
     const TPoint2D next = robot.position + velocity * kPeriod;
     if (crowd.time() >= kTimeLimit) {

@@ -23,7 +23,7 @@ Hindrance hindrance_of(const World& world, const Person& person, PeopleModel mod
     crowd.decide(robot);
     crowd.move();
   }
-  return crowd.walkers()[0].hindrance;
+  return crowd.states()[0].hindrance;
 }
 
 TEST(Hindrance, OfTheSpeedModelIsTheWayThatTheGapTakes) {
@@ -33,9 +33,9 @@ TEST(Hindrance, OfTheSpeedModelIsTheWayThatTheGapTakes) {
   Crowd crowd(world, {walker(0, {-2, 0}, {{4, 0}})}, settings_of(PeopleModel::Speed));
   crowd.decide();
   crowd.move();
-  const double ahead = crowd.walkers()[0].disc.position.x + kRadius + 1 + kRobotRadius;
+  const double ahead = crowd.states()[0].disc.position.x + kRadius + 1 + kRobotRadius;
   crowd.decide(robot_at({ahead, 0}, {true}));
-  const Hindrance& one = crowd.walkers()[0].hindrance;
+  const Hindrance& one = crowd.states()[0].hindrance;
   EXPECT_TRUE(one.is_noticed);
   EXPECT_EQ(one.updates, 1);
   EXPECT_NEAR(one.time, 0.1 * (1.3 - 1) / 1.3, 1e-12);
@@ -105,13 +105,13 @@ TEST(Hindrance, IsTheDifferenceToACrowdWithoutTheRobot) {
         Crowd without = crowd;
         crowd.decide(robot);
         without.decide();
-        const Walker &a = crowd.walkers()[0], &b = without.walkers()[0];
+        const PersonState &a = crowd.states()[0], &b = without.states()[0];
         if (a.is_present && a.arrival == b.arrival) change += (b.chosen - a.chosen).norm();
         if (a.arrival) break;
         crowd.move();
         robot.disc.position += robot.disc.velocity * 0.1;
       }
-      EXPECT_NEAR(crowd.walkers()[0].hindrance.speed_change, change, 1e-9);
+      EXPECT_NEAR(crowd.states()[0].hindrance.speed_change, change, 1e-9);
       changes += change;
     }
   EXPECT_GT(changes, 40);
@@ -132,7 +132,7 @@ TEST(Hindrance, ConcernsOnlyThoseWhoNoticeTheRobot) {
     }
     double sum = 0;
     for (std::size_t i = 0; i < people.size(); ++i) {
-      const Hindrance& hindrance = crowd.walkers()[i].hindrance;
+      const Hindrance& hindrance = crowd.states()[i].hindrance;
       sum += hindrance.time;
       EXPECT_TRUE(robot.noticed[i] || hindrance == Hindrance());
     }

@@ -11,8 +11,8 @@ using mrpt::math::TPoint2D;
 
 /// A person of radius 0.5 at the origin who walks along x, and one that comes towards it on the
 /// line y = `aside`.
-Surroundings encounter(double aside, double share) {
-  Surroundings around;
+Neighborhood encounter(double aside, double share) {
+  Neighborhood around;
   around.self = {{0, 0}, {1, 0}, 0.5};
   around.wanted = {1, 0};
   around.max_speed = 2;
@@ -21,7 +21,7 @@ Surroundings encounter(double aside, double share) {
 }
 
 /// m: the least distance of the centers within the horizon.
-double least_distance(const Surroundings& around, const TPoint2D& v, double horizon) {
+double least_distance(const Neighborhood& around, const TPoint2D& v, double horizon) {
   const CrowdDisc& other = around.neighbors[0].disc;
   double least = 1e9;
   for (double t = 0; t <= horizon; t += 0.001)
@@ -32,7 +32,7 @@ double least_distance(const Surroundings& around, const TPoint2D& v, double hori
 TEST(Orca, AvoidsAPersonWhoDoesNot) {
   PeopleSettings settings;
   settings.horizon = 4;
-  const Surroundings around = encounter(0.2, 1);
+  const Neighborhood around = encounter(0.2, 1);
   EXPECT_LT(least_distance(around, around.wanted, settings.horizon), 1);
   const TPoint2D v = orca_velocity(around, settings);
   EXPECT_NEAR(least_distance(around, v, settings.horizon), 1, 1e-3);
@@ -54,14 +54,14 @@ TEST(Orca, IgnoresThoseBeyondTheHorizonOrBehindAWall) {
   settings.horizon = 1;  // they meet after 1.5 s
   EXPECT_EQ(orca_velocity(encounter(0.2, 1), settings).y, 0);
   settings.horizon = 4;
-  Surroundings around = encounter(0.2, 1);
+  Neighborhood around = encounter(0.2, 1);
   around.neighbors[0].is_visible = false;
   EXPECT_EQ(orca_velocity(around, settings).y, 0);
 }
 
 /// Discs that overlap by 0.2 m part within a period: each moves by half of that.
 TEST(Orca, PartsFromAPersonItOverlaps) {
-  Surroundings around = encounter(0, 0.5);
+  Neighborhood around = encounter(0, 0.5);
   around.self.velocity = around.wanted = {0, 0};
   around.neighbors[0].disc = {{0.8, 0}, {0, 0}, 0.5};
   PeopleSettings settings;

@@ -19,7 +19,7 @@ TEST(RunAlone, IsTheMotionOfTheCrowd) {
   Crowd crowd(world, people, settings);
   for (crowd.decide(); crowd.time() < 20; crowd.decide()) {
     for (std::size_t i = 0; i < people.size(); ++i) {
-      const auto p = movers[i].position(crowd.time()), q = crowd.walkers()[i].disc.position;
+      const auto p = movers[i].position(crowd.time()), q = crowd.states()[i].disc.position;
       EXPECT_TRUE(p.x == q.x && p.y == q.y) << i << " at " << crowd.time();
     }
     crowd.move();

@@ -16,8 +16,8 @@ using mrpt::math::TPoint2D;
 constexpr double kRadius = 0.25;  // m
 
 /// A person at the origin who wants to walk along x.
-Surroundings person_at_origin() {
-  Surroundings around;
+Neighborhood person_at_origin() {
+  Neighborhood around;
   around.self = {{0, 0}, {0, 0}, kRadius};
   around.wanted = {1.3, 0};
   around.max_speed = 1.5;
@@ -32,7 +32,7 @@ TEST(SpeedModel, WalksAsWantedWithoutOthers) {
 
 /// The gap of 0.4 m over a time gap of 2 s.
 TEST(SpeedModel, KeepsATimeGapToTheOneAhead) {
-  Surroundings around = person_at_origin();
+  Neighborhood around = person_at_origin();
   around.neighbors.push_back({{{0.9, 0}, {0, 0}, kRadius}, 1, 0.5, true, false});
   PeopleSettings settings;
   settings.time_gap = 2;
@@ -43,7 +43,7 @@ TEST(SpeedModel, KeepsATimeGapToTheOneAhead) {
 
 /// A wall on the left, at a gap of 0.05 m: repelled by 5 exp(-1) times the wanted direction.
 TEST(SpeedModel, IsRepelledByWalls) {
-  Surroundings around = person_at_origin();
+  Neighborhood around = person_at_origin();
   around.walls.push_back({{0, kRadius + 0.05}, true});
   const TPoint2D v = speed_velocity(around, {});
   EXPECT_NEAR(v.y / v.x, -5 * std::exp(-1.0), 1e-12);
@@ -51,7 +51,7 @@ TEST(SpeedModel, IsRepelledByWalls) {
 }
 
 TEST(SpeedModel, DoesNotWalkIntoAWall) {
-  Surroundings around = person_at_origin();
+  Neighborhood around = person_at_origin();
   around.walls.push_back({{kRadius + 0.03, 0}, false});
   PeopleSettings settings;
   EXPECT_NEAR(speed_velocity(around, settings).x, 0.03 / settings.wall_horizon, 1e-12);
@@ -64,7 +64,7 @@ TEST(SpeedModel, WalksInASingleFileByItsLaw) {
   const PeopleSettings settings;
   for (const double density : {1.0, 1.25, 1.5, 1.75}) {
     const double length = kPeople / density;
-    std::vector<Surroundings> file(kPeople);
+    std::vector<Neighborhood> file(kPeople);
     for (int i = 0; i < kPeople; ++i) {
       file[i].self = {{(i + 0.02 * math::sin(1.7 * i)) / density, 0}, {0, 0}, kRadius};
       file[i].wanted = {1.33, 0};
@@ -74,7 +74,7 @@ TEST(SpeedModel, WalksInASingleFileByItsLaw) {
     for (int k = 0; k < 1200; ++k) {
       std::vector<TPoint2D> velocities;
       for (int i = 0; i < kPeople; ++i) {
-        Surroundings around = file[i];
+        Neighborhood around = file[i];
         for (const int step : {-1, 1}) {
           CrowdDisc disc = file[(i + step + kPeople) % kPeople].self;
           if (i + step < 0) disc.position.x -= length;

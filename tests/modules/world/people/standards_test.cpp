@@ -64,13 +64,12 @@ TEST(Standards, WalkTheCircleOfRvo2) {
                                               {71.5, 128.5273230082}}) {
     walk_until(time);
     for (int i = 0; i < kCirclePeople; ++i)
-      EXPECT_LT(distance_between(crowd.walkers()[i].disc.position, place_on_circle(i, radius)),
-                1e-9)
+      EXPECT_LT(distance_between(crowd.states()[i].disc.position, place_on_circle(i, radius)), 1e-9)
           << i << " at " << time;
   }
   walk_until(72);
   double sum = 0;
-  for (const Walker& walker : crowd.walkers()) sum += walker.disc.position.norm();
+  for (const PersonState& walker : crowd.states()) sum += walker.disc.position.norm();
   EXPECT_NEAR(sum / kCirclePeople, 128.0751480401, 1e-9);
 }
 
@@ -158,7 +157,7 @@ TEST(Standards, FollowInASingleFileAtTheDistanceOfItsSpeed) {
     settings.turn = 0;
     Crowd crowd(world, people, settings);
     for (; crowd.time() < 60; crowd.move()) crowd.decide();
-    const auto x = [&](int i) { return crowd.walkers()[i].disc.position.x; };
+    const auto x = [&](int i) { return crowd.states()[i].disc.position.x; };
     for (int i = 1; i < kPeople; ++i)
       EXPECT_NEAR(x(i - 1) - x(i), 2 * kRadius + speed * settings.time_gap, 1e-3)
           << i << " at " << speed << " m/s";
@@ -188,7 +187,7 @@ double time_of_counter_flow(int against) {
   }
   double last = 0;
   for (int i = 0; i < kPeople + against; ++i) {
-    const auto& arrival = crowd.walkers()[i].arrival;
+    const auto& arrival = crowd.states()[i].arrival;
     EXPECT_TRUE(arrival) << i << " of " << against;
     if (arrival && i < kPeople) last = std::max(last, *arrival);
   }

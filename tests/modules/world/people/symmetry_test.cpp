@@ -51,7 +51,7 @@ std::vector<TPoint2D> places(const Symmetry& change, PeopleModel model, bool rob
     crowd.move();
     disc.disc.position += disc.disc.velocity * settings.period;
     std::vector<TPoint2D> now;
-    for (const Walker& walker : crowd.walkers()) now.push_back(walker.disc.position);
+    for (const PersonState& walker : crowd.states()) now.push_back(walker.disc.position);
     if (change.is_reversed) std::reverse(now.begin(), now.end());
     places.insert(places.end(), now.begin(), now.end());
   }

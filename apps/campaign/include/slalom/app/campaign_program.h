@@ -85,7 +85,7 @@ void print_method_failures(const CampaignReport& report, const std::string& resu
 
 /// Throws Error (Job) for problems of the report: failures of the infrastructure, and methods that
 /// ended every run by an error of their own.
-void require_sound_runs(const CampaignReport& report, const std::string& results_path);
+void require_valid_runs(const CampaignReport& report, const std::string& results_path);
 
 /// Builds each method once in a process of its own and finds what it depends on: sets
 /// config.privileged and config.dependencies. Throws Error (Usage) if one cannot be built.

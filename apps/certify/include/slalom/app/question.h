@@ -46,7 +46,7 @@ class Question {
   virtual Json answer(const MethodCampaign& campaign, BlockRunner& runner) const = 0;
   virtual Statement statement(const Json& answer) const = 0;
   /// Why the answer is not what the asker requires; "" if it is, or if nothing is required.
-  virtual std::string shortfall(const Json& answer) const = 0;
+  virtual std::string unmet_requirement(const Json& answer) const = 0;
   /// Adds what wall-clock figures say, which are no part of the answer; mostly "".
   virtual std::string remark(const Json&, const BlockRunner&) const { return ""; }
   /// The metric that runs need, see DrawExecution; "": none.

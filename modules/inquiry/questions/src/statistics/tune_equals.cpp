@@ -31,7 +31,7 @@ FrontPoint compare(const TuneResult& result, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-TuneEquals equals_of_winner(const TuneResult& result, double confidence) {
+TiedConfigurations statistically_tied(const TuneResult& result, double confidence) {
   const TuneCandidate& winner = result.candidates[result.winner];
   const std::size_t rung = last_rung(result);
   std::vector<std::size_t> others;
@@ -42,17 +42,17 @@ TuneEquals equals_of_winner(const TuneResult& result, double confidence) {
     const bool in_rung = std::min(other.development.size(), winner.development.size()) >= rung;
     if (i == result.winner || (!finalist && !in_rung)) continue;
     others.push_back(i);
-    p.push_back(finalist ? success_p(other.finals, winner.finals)
-                         : success_p(other.development, winner.development));
+    p.push_back(finalist ? success_p_value(other.finals, winner.finals)
+                         : success_p_value(other.development, winner.development));
   }
   const std::vector<double> adjusted = holm_adjusted(p);
-  TuneEquals equals{others.size(), {result.winner}};
+  TiedConfigurations equals{others.size(), {result.winner}};
   for (std::size_t i = 0; i < others.size(); ++i)
     if (adjusted[i] > test_level(confidence)) equals.candidates.push_back(others[i]);
   return equals;
 }
 
-std::vector<FrontPoint> front_of(const TuneResult& result) {
+std::vector<FrontPoint> pareto_front(const TuneResult& result) {
   std::vector<FrontPoint> front;
   for (const std::size_t b : result.finalists)
     if (std::none_of(result.finalists.begin(), result.finalists.end(), [&](std::size_t a) {

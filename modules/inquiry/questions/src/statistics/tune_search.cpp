@@ -168,7 +168,7 @@ class TuneSearch {
   }
 
   bool is_worse(std::size_t index, std::size_t best) const {
-    return success_p(result_.candidates[index].finals, result_.candidates[best].finals) <=
+    return success_p_value(result_.candidates[index].finals, result_.candidates[best].finals) <=
            test_level(options_.confidence);
   }
 
@@ -215,7 +215,7 @@ TuneCounts counts_of(const std::vector<TuneOutcome>& outcomes) {
   return counts;
 }
 
-double success_p(const std::vector<TuneOutcome>& a, const std::vector<TuneOutcome>& b) {
+double success_p_value(const std::vector<TuneOutcome>& a, const std::vector<TuneOutcome>& b) {
   std::size_t only_a = 0, only_b = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     only_a += a[i].success && !b[i].success ? 1 : 0;

@@ -239,9 +239,9 @@ GenerationRequest read_bins_generation(const FormValues& values) {
   return request;
 }
 
-MadeList generate(const GenerationRequest& request, const MapLoader& load_map, Progress& progress) {
+NewList generate(const GenerationRequest& request, const MapLoader& load_map, Progress& progress) {
   std::string report;
-  MadeList made = make_list(request.file, [&](ScenarioList& list) {
+  NewList made = make_list(request.file, [&](ScenarioList& list) {
     const auto bins = generate_list(list, request.ini, request.order, load_map, progress);
     if (bins) report = bins_text(*bins);
   });

@@ -49,8 +49,8 @@ std::string read_target(const FormValues& values) {
   return file;
 }
 
-MadeList make_list(const std::string& file, const std::function<void(ScenarioList&)>& fill) {
-  MadeList made;
+NewList make_list(const std::string& file, const std::function<void(ScenarioList&)>& fill) {
+  NewList made;
   const auto fill_and_count = [&](ScenarioList& list) {
     fill(list);
     made.size = list.size();
@@ -65,7 +65,7 @@ MadeList make_list(const std::string& file, const std::function<void(ScenarioLis
   return made;
 }
 
-AddedScenarios add_to_list(const std::string& path, const MadeList& made, Progress& progress) {
+AddedScenarios add_to_list(const std::string& path, const NewList& made, Progress& progress) {
   AddedScenarios added;
   const auto target = std::make_shared<ScenarioList>(ScenarioList::open(path));
   const auto entries = made.staging->entries();
@@ -119,10 +119,10 @@ FileImport read_import(const StudioServices& services, const FormValues& values)
   return request;
 }
 
-MadeList import_into_list(const StudioServices& services, const FileImport& request,
-                          Progress& progress) {
+NewList import_into_list(const StudioServices& services, const FileImport& request,
+                         Progress& progress) {
   std::vector<std::string> messages;
-  MadeList made = make_list(request.file, [&](ScenarioList& list) {
+  NewList made = make_list(request.file, [&](ScenarioList& list) {
     const auto imported = services.import_files(request.files, request.options, progress);
     list.add_all(imported.scenarios);
     for (const auto& [key, text] : imported.notes) list.set_note(key, text);

@@ -33,7 +33,7 @@ struct ListTarget {
 };
 
 /// Scenarios that were generated or imported by a worker thread.
-struct MadeList {
+struct NewList {
   std::shared_ptr<ScenarioList> staging;  ///< for add_to_list(); null for a new list
   std::string file;                       ///< of the new list
   std::size_t size = 0;
@@ -48,7 +48,7 @@ std::string read_target(const FormValues& values);
 
 /// Fills a new list, or a temporary staging list if `file` is empty. The file appears when the list
 /// is complete; when `fill` throws, no file is left.
-MadeList make_list(const std::string& file, const std::function<void(ScenarioList&)>& fill);
+NewList make_list(const std::string& file, const std::function<void(ScenarioList&)>& fill);
 
 /// Scenarios that a worker thread added to a list.
 struct AddedScenarios {
@@ -59,7 +59,7 @@ struct AddedScenarios {
 
 /// Appends the staging list to the list at `path`, which it opens itself; may run in any thread.
 /// When `progress` throws, the list is unchanged.
-AddedScenarios add_to_list(const std::string& path, const MadeList& made, Progress& progress);
+AddedScenarios add_to_list(const std::string& path, const NewList& made, Progress& progress);
 
 /// Defaults of the generation forms: the robot, its sensor and the target list.
 struct GenerationDefaults {
@@ -88,7 +88,7 @@ GenerationRequest read_bins_generation(const FormValues& values);
 
 /// Generates the scenarios; may run in any thread. When `progress` throws to cancel, no file is
 /// left. For a generation by bins the report is the table of bins.
-MadeList generate(const GenerationRequest& request, const MapLoader& load_map, Progress& progress);
+NewList generate(const GenerationRequest& request, const MapLoader& load_map, Progress& progress);
 
 /// An import requested by the user.
 struct FileImport {
@@ -103,8 +103,8 @@ FormDescription import_form(const StudioServices& services, const ListTarget& ta
 /// Throws Error (Usage) when no file is given, a file does not exist, or the new list does.
 FileImport read_import(const StudioServices& services, const FormValues& values);
 /// Imports the files; may run in any thread. Cancels like generate().
-MadeList import_into_list(const StudioServices& services, const FileImport& request,
-                          Progress& progress);
+NewList import_into_list(const StudioServices& services, const FileImport& request,
+                         Progress& progress);
 
 /// Form to shrink a run, with a proposed folder.
 FormDescription shrink_form(const RunRecord& run, const std::string& folder);
@@ -112,8 +112,8 @@ FormDescription shrink_form(const RunRecord& run, const std::string& folder);
 StudioServices::ShrinkRequest read_shrink(const std::string& results, const RunRecord& run,
                                           const FormValues& values);
 /// Shrinks the run; may run in any thread. When `progress` throws, what was begun is ended.
-MadeList shrink_into_list(const StudioServices& services,
-                          const StudioServices::ShrinkRequest& request, Progress& progress);
+NewList shrink_into_list(const StudioServices& services,
+                         const StudioServices::ShrinkRequest& request, Progress& progress);
 
 /// Form to search failures of a method, with a proposed folder.
 FormDescription search_form(const std::string& folder);
@@ -121,8 +121,8 @@ FormDescription search_form(const std::string& folder);
 StudioServices::SearchRequest read_search(const FormValues& values);
 /// Searches; may run in any thread. When `progress` throws, the search is ended and can be
 /// continued. Without a failure the file of the result is empty.
-MadeList search_into_list(const StudioServices& services,
-                          const StudioServices::SearchRequest& request, Progress& progress);
+NewList search_into_list(const StudioServices& services,
+                         const StudioServices::SearchRequest& request, Progress& progress);
 
 /// Form for format, resolution and file of an exported scenario.
 FormDescription export_form(const StudioServices& services, const Scenario& scenario,

@@ -53,9 +53,9 @@ StudioServices::SearchRequest read_search(const FormValues& values) {
           values.at("witness") == "true"};
 }
 
-MadeList search_into_list(const StudioServices& services,
-                          const StudioServices::SearchRequest& request, Progress& progress) {
-  MadeList made;
+NewList search_into_list(const StudioServices& services,
+                         const StudioServices::SearchRequest& request, Progress& progress) {
+  NewList made;
   made.report = services.search_failures(request, progress);
   const std::string found = request.folder + "/failures.scenarios";
   if (std::filesystem::exists(found)) made.file = found;

@@ -45,10 +45,10 @@ StudioServices::ShrinkRequest read_shrink(const std::string& results, const RunR
           values.at("trust") == "true"};
 }
 
-MadeList shrink_into_list(const StudioServices& services,
-                          const StudioServices::ShrinkRequest& request, Progress& progress) {
+NewList shrink_into_list(const StudioServices& services,
+                         const StudioServices::ShrinkRequest& request, Progress& progress) {
   std::string report;
-  MadeList made = make_list("", [&](ScenarioList& list) {
+  NewList made = make_list("", [&](ScenarioList& list) {
     report = services.shrink_run(request, progress);
     const ScenarioList found = ScenarioList::open(request.folder + "/failures.scenarios");
     for (const ScenarioList::Entry& entry : found.entries())

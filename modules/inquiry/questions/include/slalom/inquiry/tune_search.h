@@ -61,7 +61,7 @@ struct TuneCounts {
 TuneCounts counts_of(const std::vector<TuneOutcome>& outcomes);
 
 /// p value of McNemar's exact test of success in pairs: the first scenarios, which both have.
-double success_p(const std::vector<TuneOutcome>& a, const std::vector<TuneOutcome>& b);
+double success_p_value(const std::vector<TuneOutcome>& a, const std::vector<TuneOutcome>& b);
 
 struct TuneResult {
   std::vector<TuneCandidate> candidates;  ///< the first is the default

@@ -28,8 +28,8 @@ std::string number_labels(const std::string& text, std::set<std::string>& used);
 /// A standalone document with these tables; without booktabs their rules are plain lines.
 std::string latex_document(const std::vector<std::string>& tables);
 
-/// `text` with LaTeX's special characters escaped; characters beyond U+00FF, which its fonts may not
-/// have, are "?".
+/// `text` with LaTeX's special characters escaped; characters beyond U+00FF, which its fonts may
+/// not have, are "?".
 std::string latex_text(const std::string& text);
 
 }  // namespace slalom

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <slalom/people/cost_to_go_field.h>
 #include <slalom/people/hindrance.h>
-#include <slalom/people/route_field.h>
-#include <slalom/people/surroundings.h>
+#include <slalom/people/neighborhood.h>
 #include <slalom/people/wall_runs.h>
 #include <slalom/scenario/person.h>
 #include <slalom/scenario/world.h>
@@ -25,7 +25,7 @@ struct RobotDisc {
 };
 
 /// The state of a person.
-struct Walker {
+struct PersonState {
   CrowdDisc disc;
   bool is_present = false;
   std::optional<double> arrival;        ///< s, the first one at its goal
@@ -44,9 +44,9 @@ class Crowd {
   /// `world` has to exist as long as the crowd. Throws as check_people().
   Crowd(const World& world, const People& people, const PeopleSettings& settings);
 
-  int updates() const { return updates_; }                         ///< moves so far
-  double time() const { return updates_ * settings_.period; }      ///< s
-  const std::vector<Walker>& walkers() const { return walkers_; }  ///< in the order of people
+  int updates() const { return updates_; }                            ///< moves so far
+  double time() const { return updates_ * settings_.period; }         ///< s
+  const std::vector<PersonState>& states() const { return states_; }  ///< in the order of people
   /// m, of its route that a person has covered: by how much the ways to the stations of the route
   /// became shorter, each while it was the next one.
   double covered(std::size_t i) const;
@@ -58,7 +58,7 @@ class Crowd {
  private:
   struct Plan {
     std::vector<mrpt::math::TPoint2D> stations;  ///< start, via points, goal
-    std::vector<std::shared_ptr<const RouteField>> fields;
+    std::vector<std::shared_ptr<const CostToGoField>> fields;
     std::size_t next = 1;  ///< station
     bool back = false;
     bool is_beside = false;                   ///< a robot that covers the goal
@@ -81,7 +81,7 @@ class Crowd {
   bool is_held_up(std::size_t i, const std::optional<RobotDisc>& robot) const;
   mrpt::math::TPoint2D wanted_velocity(std::size_t i, const std::optional<RobotDisc>& robot) const;
   bool sees(const CrowdDisc& self, const CrowdDisc& other, double sight) const;
-  void look_around(std::size_t i, bool apart, const std::optional<RobotDisc>& robot);
+  void gather_neighbors(std::size_t i, bool apart, const std::optional<RobotDisc>& robot);
   void look_at_walls();
   void look_at(Neighbor neighbor, double sight);
   mrpt::math::TPoint2D choose(std::size_t i, bool apart, const std::optional<RobotDisc>& robot);
@@ -95,11 +95,11 @@ class Crowd {
   People people_;
   PeopleSettings settings_;
   WallRuns walls_;
-  std::vector<Walker> walkers_;
+  std::vector<PersonState> states_;
   std::vector<Plan> plans_;
   std::vector<Intent> intents_;
   std::vector<std::size_t> by_id_;
-  Surroundings around_;  ///< of the person who decides
+  Neighborhood around_;  ///< of the person who decides
   int updates_ = 0;
 };
 

@@ -33,7 +33,7 @@ class CrowdRecord {
 /// s, per person; none for who has not arrived.
 using Arrivals = std::vector<std::optional<double>>;
 
-/// Walker::arrival of each person, up to this time (s).
+/// PersonState::arrival of each person, up to this time (s).
 Arrivals arrivals_in(const Crowd& crowd, double until);
 
 /// The people of a scenario without a robot: the start of all runs among them, and how far they

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_of_sight.h"
 
-#include <slalom/people/route_field.h>
+#include <slalom/people/cost_to_go_field.h>
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,8 @@ std::tuple<std::int64_t, std::int64_t> preference(const Direction& step, std::in
 
 }  // namespace
 
-RouteField::RouteField(const World& world, const TPoint2D& goal, double radius, PeopleSide side)
+CostToGoField::CostToGoField(const World& world, const TPoint2D& goal, double radius,
+                             PeopleSide side)
     : occupancy_(world.occupancy()),
       field_(world.distance_field()),
       caster_(world.ray_caster()),
@@ -55,7 +56,7 @@ RouteField::RouteField(const World& world, const TPoint2D& goal, double radius, 
 }
 
 /// The cell of p, shifted by so many cells along both axes.
-RouteField::Cell RouteField::cell_at(const TPoint2D& p, double shift) const {
+CostToGoField::Cell CostToGoField::cell_at(const TPoint2D& p, double shift) const {
   const TPoint2D at = occupancy_.to_cells(p);
   const auto inside = [](double x, int size) {
     return static_cast<int>(std::clamp(std::floor(x), 0.0, size - 1.0));
@@ -63,12 +64,12 @@ RouteField::Cell RouteField::cell_at(const TPoint2D& p, double shift) const {
   return {inside(at.x + shift, occupancy_.size_x()), inside(at.y + shift, occupancy_.size_y())};
 }
 
-bool RouteField::has_room(const Cell& cell) const {
+bool CostToGoField::has_room(const Cell& cell) const {
   return occupancy_.inside(cell.x, cell.y) && field_.at_center(cell.x, cell.y) >= radius_;
 }
 
 /// Dijkstra's search from the goal, with a bucket for each cost that is open (Dial 1969).
-std::vector<std::int64_t> RouteField::costs() const {
+std::vector<std::int64_t> CostToGoField::costs() const {
   std::vector<std::int64_t> costs(steps_.size(), kFar);
   std::vector<std::vector<std::size_t>> buckets(kDiagonal + 1);
   std::size_t open = 0;
@@ -96,7 +97,7 @@ std::vector<std::int64_t> RouteField::costs() const {
   return costs;
 }
 
-void RouteField::choose_steps(const std::vector<std::int64_t>& costs) {
+void CostToGoField::choose_steps(const std::vector<std::int64_t>& costs) {
   for (int y = 0; y < occupancy_.size_y(); ++y)
     for (int x = 0; x < occupancy_.size_x(); ++x) {
       const std::size_t here = occupancy_.index(x, y);
@@ -117,14 +118,15 @@ void RouteField::choose_steps(const std::vector<std::int64_t>& costs) {
     }
 }
 
-bool RouteField::can_walk(const TPoint2D& from, const TPoint2D& to) const {
+bool CostToGoField::can_walk(const TPoint2D& from, const TPoint2D& to) const {
   constexpr double kTolerance = 1e-3;  // m, for people who touch a wall
   // Where a wall is between the two, the distance takes longer to compute.
   return is_in_sight(caster_, from, to) &&
          field_.segment_clearance(from, to, radius_) >= radius_ - kTolerance;
 }
 
-std::optional<RouteField::Cell> RouteField::nearest_with_way(const TPoint2D& p, int reach) const {
+std::optional<CostToGoField::Cell> CostToGoField::nearest_with_way(const TPoint2D& p,
+                                                                   int reach) const {
   const Cell center = cell_at(p, 0);
   const TPoint2D ahead = goal_ - p;
   auto nearest = std::make_tuple(std::numeric_limits<double>::infinity(), 0.0, 0.0);
@@ -142,12 +144,12 @@ std::optional<RouteField::Cell> RouteField::nearest_with_way(const TPoint2D& p, 
   return cell;
 }
 
-RouteField::Cell RouteField::next(const Cell& cell) const {
+CostToGoField::Cell CostToGoField::next(const Cell& cell) const {
   const Direction& d = kDirections[step(cell)];
   return {cell.x + d.x, cell.y + d.y};
 }
 
-TPoint2D RouteField::farthest_from(const TPoint2D& p, const Cell& nearest) const {
+TPoint2D CostToGoField::farthest_from(const TPoint2D& p, const Cell& nearest) const {
   constexpr double kLookahead = 8;  // m
   const auto most = static_cast<std::size_t>(std::ceil(kLookahead / occupancy_.resolution()));
   std::vector<TPoint2D> way;
@@ -168,7 +170,7 @@ TPoint2D RouteField::farthest_from(const TPoint2D& p, const Cell& nearest) const
 }
 
 /// Moves on along the way by strides, as far as the person can walk straight.
-TPoint2D RouteField::further(const TPoint2D& p, TPoint2D target) const {
+TPoint2D CostToGoField::further(const TPoint2D& p, TPoint2D target) const {
   constexpr double kStride = 0.2;  // m
   const int stride = std::max(1, static_cast<int>(kStride / occupancy_.resolution()));
   for (Cell cell = cell_at(target, 0); step(cell) < kGoal;) {
@@ -180,7 +182,7 @@ TPoint2D RouteField::further(const TPoint2D& p, TPoint2D target) const {
   return target;
 }
 
-TPoint2D RouteField::target(const TPoint2D& p, const std::optional<TPoint2D>& previous) const {
+TPoint2D CostToGoField::target(const TPoint2D& p, const std::optional<TPoint2D>& previous) const {
   constexpr double kNear = 0.3;  // m: strides may be too long around a corner
   if (can_walk(p, goal_)) return goal_;
   if (previous && can_walk(p, *previous))
@@ -192,7 +194,7 @@ TPoint2D RouteField::target(const TPoint2D& p, const std::optional<TPoint2D>& pr
   return nearest ? farthest_from(p, *nearest) : goal_;
 }
 
-double RouteField::length(const TPoint2D& p, const TPoint2D& target) const {
+double CostToGoField::length(const TPoint2D& p, const TPoint2D& target) const {
   const double straight = norm(target - p);
   if (target.x == goal_.x && target.y == goal_.y) return straight;
   Cell cell = cell_at(target, 0);

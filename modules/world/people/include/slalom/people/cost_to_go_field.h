@@ -13,10 +13,11 @@ namespace slalom {
 /// Ways to a point for discs of a radius: the shortest ones over cells with room for them (steps to
 /// 8 neighbors). Ties are broken by the direction of the goal, then by `side`, so that a scenario
 /// that is turned by 90 degrees has the same ways, and a mirrored one those of the other side.
-class RouteField {
+class CostToGoField {
  public:
   /// `world` has to exist as long as the field.
-  RouteField(const World& world, const mrpt::math::TPoint2D& goal, double radius, PeopleSide side);
+  CostToGoField(const World& world, const mrpt::math::TPoint2D& goal, double radius,
+                PeopleSide side);
 
   const mrpt::math::TPoint2D& goal() const { return goal_; }
   /// The farthest point of the way from p to the goal to which a person can walk straight. It is

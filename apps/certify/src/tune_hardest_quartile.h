@@ -10,7 +10,7 @@
 namespace slalom {
 
 /// The scenarios at one end of a descriptor: about a quarter of them.
-struct HardEnd {
+struct HardestQuartile {
   std::string condition;       ///< "density >= 0.12"
   std::vector<bool> contains;  ///< of each sealed scenario
 };
@@ -19,8 +19,9 @@ struct HardEnd {
 /// sealed scenarios beyond their quartile there. Independent of the outcomes in these, so that
 /// success in them is not chosen. None if the quartiles are the same, or no run of the finals is
 /// beyond one. Values are NaN where they are not available.
-std::optional<HardEnd> hard_end(const std::string& id, const std::vector<double>& sealed,
-                                const std::vector<double>& finals,
-                                const std::vector<TuneOutcome>& default_finals);
+std::optional<HardestQuartile> hardest_quartile(const std::string& id,
+                                                const std::vector<double>& sealed,
+                                                const std::vector<double>& finals,
+                                                const std::vector<TuneOutcome>& default_finals);
 
 }  // namespace slalom

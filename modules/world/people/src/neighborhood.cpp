@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vectors.h"
 
-#include <slalom/people/surroundings.h>
+#include <slalom/people/neighborhood.h>
 
 #include <algorithm>
 #include <tuple>
@@ -19,7 +19,7 @@ VelocityBound approach_bound(const TPoint2D& offset, double distance, double gap
 
 }  // namespace
 
-void sort_by_place(Surroundings& around, PeopleSide side) {
+void sort_by_place(Neighborhood& around, PeopleSide side) {
   const double sign = side == PeopleSide::Left ? 1 : -1;
   const auto place = [&](const TPoint2D& offset, int rank) {
     return std::make_tuple(dot(offset, offset), dot(offset, around.wanted),
@@ -35,7 +35,7 @@ void sort_by_place(Surroundings& around, PeopleSide side) {
   });
 }
 
-std::vector<VelocityBound> hard_bounds(const Surroundings& around, const PeopleSettings& settings) {
+std::vector<VelocityBound> hard_bounds(const Neighborhood& around, const PeopleSettings& settings) {
   std::vector<VelocityBound> bounds;
   bounds.reserve(around.walls.size() + 2 * around.neighbors.size());
   const CrowdDisc& self = around.self;

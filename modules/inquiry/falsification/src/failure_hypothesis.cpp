@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "failure_test.h"
+#include "failure_hypothesis.h"
 
 namespace slalom {
 

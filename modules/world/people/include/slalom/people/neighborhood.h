@@ -30,7 +30,7 @@ struct WallPoint {
 };
 
 /// The situation in which a person chooses a velocity.
-struct Surroundings {
+struct Neighborhood {
   CrowdDisc self;
   int rank = 0;
   mrpt::math::TPoint2D wanted;  ///< m/s
@@ -41,11 +41,11 @@ struct Surroundings {
 
 /// Sorts neighbors and walls by their places relative to the person: results keep their bits in any
 /// order of people, if the scenario is turned by 90 degrees, or mirrored together with `side`.
-void sort_by_place(Surroundings& around, PeopleSide side);
+void sort_by_place(Neighborhood& around, PeopleSide side);
 
 /// Bounds that rest keeps: the person does not cross, for each wall, the line through its nearest
 /// point within the wall horizon, nor within a period the line half-way to a neighbor that it keeps
 /// apart from.
-std::vector<VelocityBound> hard_bounds(const Surroundings& around, const PeopleSettings& settings);
+std::vector<VelocityBound> hard_bounds(const Neighborhood& around, const PeopleSettings& settings);
 
 }  // namespace slalom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tune_hard_end.h"
+#include "tune_hardest_quartile.h"
 
 #include <slalom/core/text.h>
 #include <slalom/statistics/quantile.h>
@@ -24,9 +24,10 @@ double rounded_quartile(const std::vector<double>& sorted, double fraction) {
 
 }  // namespace
 
-std::optional<HardEnd> hard_end(const std::string& id, const std::vector<double>& sealed,
-                                const std::vector<double>& finals,
-                                const std::vector<TuneOutcome>& default_finals) {
+std::optional<HardestQuartile> hardest_quartile(const std::string& id,
+                                                const std::vector<double>& sealed,
+                                                const std::vector<double>& finals,
+                                                const std::vector<TuneOutcome>& default_finals) {
   std::vector<double> sorted;
   std::copy_if(sealed.begin(), sealed.end(), std::back_inserter(sorted),
                [](double value) { return std::isfinite(value); });
@@ -43,7 +44,8 @@ std::optional<HardEnd> hard_end(const std::string& id, const std::vector<double>
     }
   if (at_low.runs == 0 || at_high.runs == 0) return std::nullopt;
   const bool is_low = at_low.rate() < at_high.rate();
-  HardEnd end{id + (is_low ? " <= " + format_number(low) : " >= " + format_number(high)), {}};
+  HardestQuartile end{id + (is_low ? " <= " + format_number(low) : " >= " + format_number(high)),
+                      {}};
   for (const double value : sealed) end.contains.push_back(is_low ? value <= low : value >= high);
   return end;
 }

@@ -8,11 +8,12 @@ namespace {
 
 using mrpt::math::TPoint2D;
 
-RouteField field_to(const World& world, const TPoint2D& goal, PeopleSide side = PeopleSide::Right) {
-  return RouteField(world, goal, kRadius, side);
+CostToGoField field_to(const World& world, const TPoint2D& goal,
+                       PeopleSide side = PeopleSide::Right) {
+  return CostToGoField(world, goal, kRadius, side);
 }
 
-TEST(RouteField, AimsAtAGoalInSight) {
+TEST(CostToGoField, AimsAtAGoalInSight) {
   const World world = empty_world(5, 0.1);
   const TPoint2D target = field_to(world, {3.01, 2.02}).target({-4, -3});
   EXPECT_EQ(target.x, 3.01);
@@ -21,9 +22,9 @@ TEST(RouteField, AimsAtAGoalInSight) {
 
 /// The shortest way around the end of a wall, at the radius from it, is 2 sqrt(4 + 1.25^2) long in
 /// the middle of a wall that ends at y = 1; that of a person at the same height is followed.
-TEST(RouteField, LeadsAroundAWallWithRoomForThePerson) {
+TEST(CostToGoField, LeadsAroundAWallWithRoomForThePerson) {
   const World world = world_with({-5, -5, 5, 5}, {rectangle(-0.1, -5, 0.1, 1)}, 0.1);
-  const RouteField field = field_to(world, {2, 0.05});
+  const CostToGoField field = field_to(world, {2, 0.05});
   TPoint2D p(-2, 0.05);
   double length = 0;
   for (int k = 0; k < 100 && distance_between(p, field.goal()) > 0; ++k) {
@@ -38,7 +39,7 @@ TEST(RouteField, LeadsAroundAWallWithRoomForThePerson) {
   EXPECT_LE(length, 1.1 * shortest);
 }
 
-TEST(RouteField, PassesASymmetricPillarOnTheSide) {
+TEST(CostToGoField, PassesASymmetricPillarOnTheSide) {
   const World world = world_with({-5, -5, 5, 5}, {rectangle(-1, -1, 1, 1)}, 0.125);
   const TPoint2D start(-3.5, 0), goal(3.5, 0);
   const TPoint2D right = field_to(world, goal).target(start);
@@ -48,13 +49,13 @@ TEST(RouteField, PassesASymmetricPillarOnTheSide) {
   EXPECT_EQ(right.y, -left.y);
 }
 
-TEST(RouteField, AimsAtAGoalWithoutAWay) {
+TEST(CostToGoField, AimsAtAGoalWithoutAWay) {
   const World world = world_with({-5, -5, 5, 5}, {rectangle(-0.1, -5, 0.1, 5)}, 0.1);
   const TPoint2D target = field_to(world, {3, 0}).target({-3, 0});
   EXPECT_EQ(target.x, 3);
 }
 
-TEST(RouteField, LeadsAwayFromAPlaceThatTouchesAWall) {
+TEST(CostToGoField, LeadsAwayFromAPlaceThatTouchesAWall) {
   const World world = world_with({-5, -5, 5, 5}, {rectangle(-0.1, -5, 0.1, 1)}, 0.1);
   const TPoint2D target = field_to(world, {3, 0}).target({-0.1 - kRadius, -2});
   EXPECT_LT(target.x, -0.1);
