@@ -77,9 +77,11 @@ TEST(Standards, WalkTheCircleOfRvo2) {
 TEST(Standards, WalkRoundACornerWithoutCrossingWalls) {
   const World world = world_with({0, 0, 12, 12}, {rectangle(0, 2, 10, 12)}, 0.1);
   People people;
-  for (int i = 0; i < 20; ++i)
-    people.push_back(walker(people.size(), {0.4 + 0.6 * (i / 3), 0.4 + 0.6 * (i % 3)}, {{11, 11.5}},
+  for (int i = 0; i < 20; ++i) {
+    const int column = i / 3;
+    people.push_back(walker(people.size(), {0.4 + 0.6 * column, 0.4 + 0.6 * (i % 3)}, {{11, 11.5}},
                             PersonEnd::Vanish, 1.33));
+  }
   for (const PeopleModel model : kModels) {
     PeopleSettings settings = settings_of(model);
     settings.goal_tolerance = 1;
@@ -110,7 +112,8 @@ TEST(Standards, TakeAboutTwiceAsLongToLeaveARoomByHalfOfTheDoors) {
   for (const int doors : {4, 2}) {
     People people;
     for (int i = 0; i < 200; ++i) {
-      const TPoint2D start(1 + (i % 20) * 0.95, 1.2 + (i / 20) * 1.05);
+      const int row = i / 20;
+      const TPoint2D start(1 + (i % 20) * 0.95, 1.2 + row * 1.05);
       const TPoint2D goal(start.x < 10 ? 5 : 15, doors == 4 && start.y > 6 ? 13.3 : -1.3);
       people.push_back(walker(people.size(), start, {goal}, PersonEnd::Vanish, 1.33));
     }
@@ -173,8 +176,8 @@ double time_of_counter_flow(int against) {
   People people;
   for (int i = 0; i < kPeople + against; ++i) {
     const bool back = i >= kPeople;
-    const int k = back ? i - kPeople : i;
-    const double x = (k / 8) * 0.7, y = 0.5 + (k % 8) * 0.7;
+    const int k = back ? i - kPeople : i, column = k / 8;
+    const double x = column * 0.7, y = 0.5 + (k % 8) * 0.7;
     people.push_back(walker(people.size(), {back ? 19.4 - x : -9.4 + x, y}, {{back ? -5.0 : 15, 3}},
                             PersonEnd::Vanish, 1.33));
   }

@@ -46,7 +46,8 @@ std::vector<FormField> scenarios_fields(Part part) {
 
 /// One line, and the options of walkers or people only if there are to be some, so that the fields
 /// above them stay in sight.
-void add_part(FormDescription& form, Part part, const std::string& number, FormField wanted) {
+void add_part(FormDescription& form, Part part, const std::string& number,
+              const FormField& wanted) {
   form.fields.push_back(wanted);
   for (FormField& field : scenarios_fields(part)) {
     if (field.key == number) field.value = "4";

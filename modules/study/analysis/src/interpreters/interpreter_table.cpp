@@ -13,8 +13,13 @@ Interpret interpret_summary, interpret_cross_tables, interpret_map, interpret_co
     interpret_ranks, interpret_profile, interpret_completion, interpret_failures,
     interpret_validity, interpret_difficulty, interpret_robustness, interpret_history;
 
+namespace {
+std::vector<std::string> table_metrics() {
+  return {"success", "optimality", "safety"};
+}
+}  // namespace
+
 const std::vector<Interpreter>& all_interpreters() {
-  static const std::vector<std::string> table_metrics = {"success", "optimality", "safety"};
   static const std::vector<Interpreter> all = {
       {"summary",
        "summary",
@@ -22,10 +27,10 @@ const std::vector<Interpreter>& all_interpreters() {
        interpret_summary,
        1,
        1,
-       table_metrics,
+       table_metrics(),
        {"success"}},
       {"table", "table", "Print a summary per method and cross tables of bins by metrics",
-       interpret_cross_tables, 1, 1, table_metrics},
+       interpret_cross_tables, 1, 1, table_metrics()},
       {"map", "table", "Map one metric over the bins of two descriptors: --rows 'A:4;B:4'",
        interpret_map},
       {"compare", "compare",
