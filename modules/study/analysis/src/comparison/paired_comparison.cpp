@@ -280,9 +280,12 @@ void add_power(PairedComparison& comparison, double deviation, std::size_t small
   const double alpha = test_level(options.analysis.confidence);
   comparison.relevant = relevant_difference(comparison, options);
   comparison.required_scenarios = smallest;
-  if (comparison.relevant <= 0) {
+  // Requires two scenarios, since one tells nothing about the deviation of values that are no
+  // rates.
+  const bool is_known = comparison.column.info.is_rate() || comparison.scenarios > 1;
+  if (comparison.relevant <= 0 || !is_known) {
     comparison.required_scenarios = 0;
-  } else if (deviation > 0 && comparison.scenarios > 1) {
+  } else if (deviation > 0) {
     const double pairs = static_cast<double>(
         required_pairs(comparison.relevant, deviation, alpha, comparison.power));
     const auto needed = static_cast<std::size_t>(std::ceil(pairs / kSignedRankEfficiency));

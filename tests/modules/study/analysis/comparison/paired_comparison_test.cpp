@@ -74,6 +74,19 @@ TEST(PairedComparison, EstimatesTheRequiredNumberOfScenarios) {
   EXPECT_NE(verdict_sentence(c).find(more), std::string::npos) << verdict_sentence(c);
 }
 
+TEST(PairedComparison, RequiresOfOneScenarioNoFewerThanOfTwo) {
+  // One differs, plus one added, in 1 + 1 scenarios: variance 1.
+  const PairedComparison c = only(rates(1, 0, 1, 0), "success");
+  const double pairs = static_cast<double>(required_pairs(0.05, 1, 0.05, 0.8));
+  EXPECT_EQ(c.required_scenarios, static_cast<std::size_t>(std::ceil(pairs * M_PI / 3)));
+}
+
+TEST(PairedComparison, DoesNotPlanWithTheUnknownDeviationOfOneScenario) {
+  const PairedComparison c = only(shifted(1, 0.1, 0), "optimality");
+  EXPECT_EQ(c.verdict, Verdict::NotEnough);
+  EXPECT_EQ(verdict_sentence(c).find("more scenarios"), std::string::npos) << verdict_sentence(c);
+}
+
 TEST(PairedComparison, DoesNotAskForMoreScenariosThanAnybodyRuns) {
   PairedComparison c = only(rates(10, 6, 1, 2), "success");
   c.required_scenarios = 394500;  // 5 % of a mean near 0
