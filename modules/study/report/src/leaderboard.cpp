@@ -34,12 +34,9 @@ Markup node(const std::string& name, const Attributes& attributes,
   return Markup::element(name, attributes, children);
 }
 
-std::string percent(double fraction) {
-  return format_fixed(100 * fraction, 0);
-}
-
 std::string interval_of_percent(const Interval& interval) {
-  return "[" + percent(interval.low) + ", " + percent(interval.high) + "]";
+  return "[" + format_fixed(100 * interval.low, 0) + ", " + format_fixed(100 * interval.high, 0) +
+         "]";
 }
 
 std::string signed_text(double number) {
@@ -107,7 +104,7 @@ std::string add_points(const CrossTable& table, std::vector<Markup>& drawn) {
       add_text("edge", (x + x_of(table, bin - 1)) / 2, 62, format_number(*line.bin.low));
     if (!cell.estimate) continue;
     const double y = y_of(*cell.estimate);
-    label += " " + line.bin.label() + " " + percent(*cell.estimate) + " %;";
+    label += " " + line.bin.label() + " " + share_text(*cell.estimate) + " %;";
     if (cell.interval)
       drawn.push_back(
           node("path", {{"class", "error"},
@@ -116,7 +113,7 @@ std::string add_points(const CrossTable& table, std::vector<Markup>& drawn) {
     drawn.push_back(
         node("circle",
              {{"cx", fmt::format("{:.1f}", x)}, {"cy", fmt::format("{:.1f}", y)}, {"r", "3"}}));
-    add_text("value", x, y + (*cell.estimate > 0.5 ? 13 : -6), percent(*cell.estimate));
+    add_text("value", x, y + (*cell.estimate > 0.5 ? 13 : -6), share_text(*cell.estimate));
   }
   return label;
 }
@@ -263,7 +260,7 @@ std::string Leaderboard::answer() const {
            " better in the scenarios of both";
   if (!equal.empty())
     return name(0) + (equal.size() > 1 ? ", " : " and ") + names_text(equal) +
-           " lead with a success of " + percent(rate) + " %: they are not told apart";
+           " lead with a success of " + share_text(rate) + " %: they are not told apart";
   if (open.empty()) return name(0) + " is best: it " + reaches;
   return name(0) + " leads with " + (counts_runs_ ? runs_text(0) : mean) + ", but " +
          names_text(open) + (open.size() == 1 ? " is" : " are") + " not told apart from it";
@@ -373,7 +370,7 @@ Markup Leaderboard::success_cell(std::size_t row) const {
                                            static_cast<double>(std::max<std::size_t>(most, 1))));
   return node(
       "td", {{"class", "success"}},
-      {tag("span", {percent(*cell.estimate) + " %"}, "big"),
+      {tag("span", {share_text(*cell.estimate) + " %"}, "big"),
        tag("span", {cell.interval ? " " + interval_of_percent(*cell.interval) : ""}, "soft"),
        node("svg", {{"class", "axis"}, {"viewBox", "0 0 290 12"}, {"aria-hidden", "true"}}, drawn),
        node("div", {{"class", "bar"}, {"style", height}, {"role", "img"}, {"aria-label", label}},
@@ -491,8 +488,8 @@ Markup Leaderboard::head() const {
           " % interval; outcomes of the runs" +
           (knows_outcomes_ && rows_.size() > 1
                ? fmt::format("; dashed: solved by any of the {}, {} %", rows_.size(),
-                             percent(static_cast<double>(solved_by_any_) /
-                                     static_cast<double>(std::max<std::size_t>(scenarios_, 1))))
+                             share_text(static_cast<double>(solved_by_any_) /
+                                        static_cast<double>(std::max<std::size_t>(scenarios_, 1))))
                : "")));
   if (has_curve_) {
     const QuantityInfo& by = input_.tables[curve_].front().descriptor;

@@ -91,6 +91,16 @@ std::string percent_text(double fraction) {
   return format_number(std::round(fraction * 1e12) / 1e10);
 }
 
+std::string share_text(double fraction) {
+  constexpr int kMostDigits = 4;  // more are the rounding of a mean
+  for (int digits = 0; digits <= kMostDigits; ++digits) {
+    const double scale = 100 * std::pow(10, digits);
+    const double shown = std::round(fraction * scale) / scale;
+    if (shown > 0 && shown < 1) return format_fixed(100 * fraction, digits);
+  }
+  return format_fixed(100 * fraction, 0);
+}
+
 std::string direction_arrow(Direction direction) {
   if (direction == Direction::Up) return "↑";
   return direction == Direction::Down ? "↓" : "";

@@ -18,7 +18,7 @@ constexpr const char* kSuccess = "success";
 constexpr std::size_t kMaxNamedMethods = 3;
 
 std::string percent(double fraction) {
-  return format_fixed(100 * fraction, 0) + " %";
+  return share_text(fraction) + " %";
 }
 
 std::string success_clause(const MethodSummary& method, bool of_runs) {

@@ -30,6 +30,15 @@ TEST(CellText, ShowsThreeSignificantDigits) {
   EXPECT_EQ(digits(1e-9), 4);
 }
 
+TEST(CellText, CallsOnlyAllRunsAHundredPercentAndOnlyNoneZero) {
+  EXPECT_EQ(share_text(599.0 / 600), "99.8");
+  EXPECT_EQ(share_text(1.0 / 20000), "0.01");
+  EXPECT_EQ(share_text(0.871), "87");
+  EXPECT_EQ(share_text(0), "0");
+  EXPECT_EQ(share_text(1), "100");
+  EXPECT_EQ(share_text(1 - 1e-15), "100");  // a mean of ones
+}
+
 TEST(CellText, ShowsSampleSizeAndDeviation) {
   Cell cell;
   cell.n = 60;

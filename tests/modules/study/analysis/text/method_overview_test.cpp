@@ -137,6 +137,13 @@ TEST(MethodOverview, SpeaksOfCollisionsOnlyIfTheyAreKnown) {
   EXPECT_EQ(sentence_of("collided,time\n0,5\n1,4\n"), "") << "success is not known";
 }
 
+TEST(MethodOverview, DoesNotRoundAFailureAway) {
+  std::string runs = "success\n0\n";
+  for (int i = 0; i < 599; ++i) runs += "1\n";
+  // 1 / 600 is 0.17 %.
+  EXPECT_EQ(sentence_of(runs), "all succeeds in 99.8 % [99, 100] of 600 runs; it fails in 0.2 %");
+}
+
 TEST(MethodOverview, SpeaksOfMeansWhereSuccessIsNotThatOfRuns) {
   CsvColumnOptions stated;
   stated.ranges = {{"success", {0, 1}}};

@@ -36,6 +36,9 @@ std::map<std::string, std::size_t> na_of_column(const CrossTable& table, std::si
 /// "95" for 0.95: percent without the digits that binary fractions add.
 std::string percent_text(double fraction);
 
+/// "87" for 0.871, "99.8" for 0.998: percent that are 0 or 100 only if the fraction is 0 or 1.
+std::string share_text(double fraction);
+
 /// "↑", "↓" or "": the direction that is better.
 std::string direction_arrow(Direction direction);
 
