@@ -52,8 +52,12 @@ std::vector<GateResult> evaluate_gate(const Gate& gate, const std::vector<Paired
   std::vector<GateResult> results;
   for (const PairedComparison& comparison : family) {
     if (comparison.column.info.id != gate.metric) continue;
-    GateResult result{gate,  comparison.a, comparison.b, comparison.difference, comparison.interval,
-                      false, false};
+    GateResult result{gate,
+                      comparison.a,
+                      comparison.b,
+                      comparison.difference,
+                      comparison.interval,
+                      comparison.without_value};
     if (on == GateOn::Interval && !result.interval && comparison.shift) {
       result.difference = comparison.shift->estimate;
       result.interval = comparison.shift->interval;

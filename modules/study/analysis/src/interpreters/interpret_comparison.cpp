@@ -91,7 +91,10 @@ std::string gate_sentence(const GateResult& result) {
   std::string text = "gate " + result.gate.text + ": " + result.b + " against " + result.a + ": ";
   if (!result.evaluated) return text + "FAILED: no difference available";
   return text + (result.passed ? "passed" : "FAILED") + ": difference " +
-         estimate_text(*result.difference, result.interval, 4);
+         estimate_text(*result.difference, result.interval, 4) +
+         (result.without_value == 0
+              ? ""
+              : ", no value in " + count_text(result.without_value, "pair") + " of runs");
 }
 
 DataTable gate_table(const std::vector<GateResult>& results) {
@@ -152,6 +155,14 @@ std::vector<PairedComparison> family_of(const std::vector<ResultTable>& results,
   return compare_results(results[0], results[1], metrics, options, query.method);
 }
 
+/// Names the methods of one file only, which no gate is about.
+void add_absent_methods(const ResultTable& in, const ResultTable& other, Interpretation& found) {
+  if (in.methods.size() == 1 && other.methods.size() == 1) return;  // compared under their names
+  for (const std::string& method : in.methods)
+    if (!contains(other.methods, method))
+      found.remarks.push_back(method + ": not compared, as " + other.source + " has no runs of it");
+}
+
 }  // namespace
 
 Interpretation interpret_comparison(const std::vector<ResultTable>& results,
@@ -167,6 +178,8 @@ Interpretation interpret_comparison(const std::vector<ResultTable>& results,
         "their scenarios count as differences between the methods");
   for (const PairedComparison& c : family) found.remarks.push_back(verdict_sentence(c));
   if (results.size() == 2) {
+    add_absent_methods(results[0], results[1], found);
+    add_absent_methods(results[1], results[0], found);
     for (const PairedComparison& c : family) {
       if (c.is_unpaired || c.unpaired == 0 || c.column.info.id != family.front().column.info.id)
         continue;

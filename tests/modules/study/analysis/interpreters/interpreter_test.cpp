@@ -562,6 +562,28 @@ TEST(Interpreter, CampaignsWithOtherSettingsHaveNoVerdictUnlessItIsAskedFor) {
                            [&] { named("compare").interpret(two, query); }));
 }
 
+TEST(Interpreter, AGateSaysWhatItLeavesOut) {
+  ResultFixture before, after;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = before.add_scenario(Value::of(0.1 * i));
+    ASSERT_EQ(after.add_scenario(Value::of(0.1 * i)), name);
+    before.add_run(name, "a", 0.5);
+    before.add_run(name, "b", 0.5);
+    after.add_run(name, "a", i == 0 ? 0.5 : -1);  // the others fail
+  }
+  before.table.source = "before.results";
+  after.table.source = "after.results";
+  AnalysisQuery query;
+  query.metrics = {"optimality"};
+  query.gates = {parse_gate("optimality >= -0.1")};
+  const std::string text =
+      join(named("compare").interpret({before.table, after.table}, query).remarks, "\n");
+  EXPECT_NE(text.find("passed: difference 0.0000"), std::string::npos) << text;
+  EXPECT_NE(text.find(", no value in 3 pairs of runs"), std::string::npos) << text;
+  EXPECT_NE(text.find("b: not compared, as after.results has no runs of it"), std::string::npos)
+      << text;
+}
+
 TEST(Interpreter, RobustnessRejectsCampaignsWithOtherDifferences) {
   auto results = sweep();
   EXPECT_THROW(build_robustness(results, "sensor.dropout_ratio", {"success"}, {}), Error);

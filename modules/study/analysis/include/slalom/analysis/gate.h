@@ -34,7 +34,8 @@ struct GateResult {
   std::string a, b;  ///< sides of the comparison
   std::optional<double> difference;
   std::optional<Interval> interval;
-  bool evaluated = false;  ///< false if the quantity is not available; then not passed
+  std::size_t without_value = 0;  ///< pairs of runs that the difference leaves out
+  bool evaluated = false;         ///< false if the quantity is not available; then not passed
   bool passed = false;
 };
 
