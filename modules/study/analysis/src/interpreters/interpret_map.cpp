@@ -40,10 +40,8 @@ DataTable view_table(const DescriptorMap& map) {
     for (std::size_t j = 0; j < map.columns.size(); ++j) {
       const Cell& cell = map.fields[i][j].cell;
       const int digits = digits_for({&cell}, map.column);
-      const std::string text = cell.n == 0
-                                   ? "no runs"
-                                   : estimate_text(cell, digits) + " " +
-                                         interval_text(cell, digits) + " " + values_text(cell);
+      const std::string text =
+          cell.n == 0 ? "no runs" : value_text(cell, digits) + " " + values_text(cell);
       rows.add(map.columns[j].label(), Field{text});
     }
   }

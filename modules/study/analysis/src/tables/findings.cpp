@@ -10,9 +10,7 @@ namespace slalom {
 namespace {
 
 std::string in_bin(const CrossTable& table, const CrossRow& row, std::size_t column) {
-  const int digits = column_digits(table, column);
-  return estimate_text(row.cells[column], digits) + " " + interval_text(row.cells[column], digits) +
-         " in " + row.bin.label();
+  return value_text(row.cells[column], column_digits(table, column)) + " in " + row.bin.label();
 }
 
 /// ", from 0.9 [...] in [0, 1) to 0.5 [...] in [3, 4]": the outer bins with values; empty if they

@@ -43,6 +43,11 @@ std::string interval_text(const Cell& cell, int digits) {
          "]";
 }
 
+std::string value_text(const Cell& cell, int digits) {
+  const std::string interval = interval_text(cell, digits);
+  return estimate_text(cell, digits) + (interval.empty() ? "" : " " + interval);
+}
+
 std::string estimate_text(double estimate, const std::optional<Interval>& interval, int digits) {
   std::string text = format_fixed(estimate, digits);
   if (interval)

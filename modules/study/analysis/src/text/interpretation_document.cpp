@@ -131,9 +131,7 @@ Field runs_of(const std::vector<const CrossTable*>& methods, std::size_t row) {
 
 /// "0.95 [0.94, 0.96]", with the number of values if some are missing.
 std::string display_text(const Cell& cell, int digits) {
-  const std::string interval = interval_text(cell, digits);
-  return estimate_text(cell, digits) + (interval.empty() ? "" : " " + interval) +
-         (cell.available < cell.n ? " " + values_text(cell) : "");
+  return value_text(cell, digits) + (cell.available < cell.n ? " " + values_text(cell) : "");
 }
 
 /// The values of one metric, exact or for display.

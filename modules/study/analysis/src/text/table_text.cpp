@@ -28,9 +28,7 @@ std::vector<std::string> headers(const std::string& first, const std::vector<Col
 }
 
 TextGrid::Lines cell_lines(const Cell& cell, const Column& column, int digits) {
-  const std::string interval = interval_text(cell, digits);
-  return {estimate_text(cell, digits) + (interval.empty() ? "" : " " + interval),
-          support_text(cell, column, digits)};
+  return {value_text(cell, digits), support_text(cell, column, digits)};
 }
 
 std::string outcomes_text(const SummaryTable& table) {

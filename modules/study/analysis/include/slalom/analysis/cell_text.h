@@ -17,6 +17,8 @@ int column_digits(const CrossTable& table, std::size_t column);
 std::string estimate_text(const Cell& cell, int digits);
 /// The interval of estimate_text(): "[0.88, 0.96]", or "".
 std::string interval_text(const Cell& cell, int digits);
+/// Both, "0.93 [0.88, 0.96]".
+std::string value_text(const Cell& cell, int digits);
 /// "0.93 [0.88, 0.96]", or "0.93" without an interval.
 std::string estimate_text(double estimate, const std::optional<Interval>& interval, int digits);
 /// The interval of the median if there is one, otherwise of the mean.
